@@ -1,0 +1,1 @@
+"""Understudy: teach behaviors to groups of simulated agents by showing them."""

@@ -1,0 +1,51 @@
+"""What every test shares: Qt without a screen, markers by folder, and no thread left behind."""
+
+import os
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+# Before anything imports Qt.
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+# Seconds that a thread gets to end by itself once the test that started it is over.
+GRACE = 2.0
+
+FOLDER_MARKERS = {"gui": pytest.mark.gui, "bench": pytest.mark.bench}
+
+# In CI the same examples every time; at a desk new ones each time. Both say how to repeat a failure.
+settings.register_profile("ci", derandomize=True, print_blob=True, deadline=None)
+settings.register_profile("desk", print_blob=True, deadline=None)
+settings.load_profile("ci" if os.environ.get("CI") else "desk")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    tests = Path(__file__).parent
+    for item in items:
+        marker = FOLDER_MARKERS.get(item.path.relative_to(tests).parts[0])
+        if marker is not None:
+            item.add_marker(marker)
+
+
+def _our_threads() -> set[threading.Thread]:
+    """Threads that Python code started: those of Qt and numba only pass through and are theirs to end."""
+    # The standard library names no public class for a thread that was started elsewhere.
+    foreign = threading._DummyThread
+    return {thread for thread in threading.enumerate() if not isinstance(thread, foreign)}
+
+
+@pytest.fixture(autouse=True)
+def no_thread_left_behind() -> Iterator[None]:
+    """Fails a test after which a thread still runs that was not there before."""
+    before = _our_threads()
+    yield
+    end = time.monotonic() + GRACE
+    for thread in _our_threads() - before:
+        thread.join(max(0.0, end - time.monotonic()))
+    left = sorted(thread.name for thread in _our_threads() - before)
+    if left:
+        pytest.fail(f"threads left behind: {', '.join(left)}")
