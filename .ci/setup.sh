@@ -9,20 +9,39 @@ venv="${root:?the sourcing script sets it}/.venv"
 cache="$root/.cache"
 setup_log="$cache/setup.log"
 
-# What Qt loads at run time, as "what to look for|Debian package". A name ending in .so.N is asked of the linker's cache,
-# a path must exist.
+# What Qt, its xcb and wayland platforms and Graphviz load at run time and the wheels do not carry (ldd on all of them
+# in a bare system), as "what to look for|Debian package". A path must exist; a name is asked of the linker's cache.
 run_libraries=(
     "libGL.so.1|libgl1"
     "libEGL.so.1|libegl1"
+    "libX11.so.6|libx11-6"
+    "libX11-xcb.so.1|libx11-xcb1"
+    "libXext.so.6|libxext6"
+    "libXrender.so.1|libxrender1"
     "libdbus-1.so.3|libdbus-1-3"
     "libfontconfig.so.1|libfontconfig1"
+    "libfreetype.so.6|libfreetype6"
     "libglib-2.0.so.0|libglib2.0-0"
     "libxkbcommon.so.0|libxkbcommon0"
     "libxkbcommon-x11.so.0|libxkbcommon-x11-0"
+    "libxcb.so.1|libxcb1"
     "libxcb-cursor.so.0|libxcb-cursor0"
+    "libxcb-glx.so.0|libxcb-glx0"
     "libxcb-icccm.so.4|libxcb-icccm4"
+    "libxcb-image.so.0|libxcb-image0"
     "libxcb-keysyms.so.1|libxcb-keysyms1"
+    "libxcb-randr.so.0|libxcb-randr0"
+    "libxcb-render.so.0|libxcb-render0"
+    "libxcb-render-util.so.0|libxcb-render-util0"
     "libxcb-shape.so.0|libxcb-shape0"
+    "libxcb-shm.so.0|libxcb-shm0"
+    "libxcb-sync.so.1|libxcb-sync1"
+    "libxcb-util.so.1|libxcb-util1"
+    "libxcb-xfixes.so.0|libxcb-xfixes0"
+    "libxcb-xkb.so.1|libxcb-xkb1"
+    "libwayland-client.so.0|libwayland-client0"
+    "libwayland-cursor.so.0|libwayland-cursor0"
+    "libwayland-egl.so.1|libwayland-egl1"
     "/usr/share/fonts|fonts-dejavu-core"
 )
 dev_libraries=(
@@ -31,6 +50,8 @@ dev_libraries=(
 )
 
 say() { printf 'understudy: %s\n' "$*" >&2; }
+
+show_command() { printf '\n    %s\n\n' "$*" >&2; } # On a line of its own, to be copied.
 
 show_log() { # The end of the set-up's log, after a step that failed.
     tail -n 15 "$setup_log" | sed 's/^/    /' >&2
@@ -62,7 +83,7 @@ missing_libraries() { # Sets $missing to the Debian packages that kind $1 lacks 
     for entry in "${wanted[@]}"; do
         case "$entry" in
             /*) [ -e "${entry%|*}" ] || missing+=("${entry#*|}") ;;
-            *) [[ "$known" == *"${entry%|*} ("* ]] || missing+=("${entry#*|}") ;;
+            *) [[ "$known" == *$'\t'"${entry%|*} ("* ]] || missing+=("${entry#*|}") ;;
         esac
     done
 }
@@ -79,7 +100,6 @@ system_ready() {
 
 install_system_packages() { # Returns 1 when this account may not install, 2 when installing failed.
     local as_root=()
-    command -v apt-get >/dev/null || return 1
     if [ "$(id -u)" -ne 0 ]; then
         sudo -n true 2>/dev/null || return 1
         as_root=(sudo -n)
@@ -93,23 +113,21 @@ install_system_packages() { # Returns 1 when this account may not install, 2 whe
 ask_for_packages() { # The one message for an account that may not install.
     local update="apt-get update" install="apt-get install -y --no-install-recommends $*"
     say "system packages are missing, and this account may not install them. Run this once, then start again:"
-    if ! command -v apt-get >/dev/null; then
-        say "    (install, by your system's own names) $*"
-    elif [ "$(id -u)" -eq 0 ]; then
-        say "    $update && $install"
+    if [ "$(id -u)" -eq 0 ]; then
+        show_command "$update && $install"
     elif command -v sudo >/dev/null; then
-        say "    sudo $update && sudo $install"
+        show_command "sudo $update && sudo $install"
     else
-        say "    su -c '$update && $install'"
+        show_command "su -c '$update && $install'"
     fi
 }
 
-get_system_packages() { # get_system_packages must|may PACKAGE...; "may": go on without them, after one line.
+# get_system_packages must|may PACKAGE...: "may" goes on without them, after one line.
+get_system_packages() {
     local need=$1 outcome=0
     shift
-    # Where installing failed before, a start that can do without does not try again.
     if [ "$need" = may ] && same "$cache/system.failed" "$HOSTNAME $*"; then
-        outcome=3
+        outcome=2 # It failed before; a start that can do without does not try again.
     else
         install_system_packages "$@" || outcome=$?
     fi
@@ -153,7 +171,7 @@ no_python() {
     # Where python3 is there but too old, the newer one has another name.
     ! command -v python3 >/dev/null || package=python3.11
     say "needs Python 3.11, 3.12, 3.13 or 3.14. Run this once, then start again:"
-    say "    sudo apt-get update && sudo apt-get install -y $package $package-venv"
+    show_command "sudo apt-get update && sudo apt-get install -y $package $package-venv"
     say "or name an interpreter: UNDERSTUDY_PYTHON=/path/to/python3 ./run"
     exit 2
 }
@@ -206,8 +224,10 @@ complete() { # complete run|dev must|may: whatever is not there yet.
     # One message for everything, but only what cannot be done without stops the start.
     if [ ${#wanted[@]} -gt 0 ]; then
         get_system_packages must "${wanted[@]}" "${missing[@]}"
-    elif [ ${#missing[@]} -gt 0 ]; then
+    elif [ ${#missing[@]} -gt 0 ] && command -v apt-get >/dev/null; then
         get_system_packages "$2" "${missing[@]}"
+    elif [ ${#missing[@]} -gt 0 ]; then
+        say "windows may not work; install what your system calls these Debian packages: ${missing[*]}"
     fi
     [ $fresh = no ] || make_environment
     packages_ready "$1" || install_packages "$1"
