@@ -29,8 +29,8 @@ def mix(value: int) -> int:
 
 
 def world_key(seed: int, world: int) -> int:
-    """The part of a draw's key that stays the same through a run."""
-    return mix((seed * GOLDEN + world + 1) & MASK)
+    """The part of a draw's key that stays the same through a run: 63 bits, so that it fits a signed column."""
+    return mix((seed * GOLDEN + world + 1) & MASK) >> 1
 
 
 def draw(key: int, tick: int, who: int, number: int) -> float:
@@ -43,8 +43,8 @@ def uniform(clock: Sequence[int], who: int, number: int) -> float:
     """What a scenario's functions draw: a number in [0, 1).
 
     Args:
-        clock: The world's clock: (seed, world, tick).
+        clock: The world's clock: (seed, world, tick, key), the last being the `world_key` of the first two.
         who: The agent that draws, or ``THE_WORLD``.
         number: Tells several draws of the same drawer in one tick apart.
     """
-    return draw(world_key(clock[0], clock[1]), clock[2], who, FIRST_SCENARIO_DRAW + number)
+    return draw(clock[3], clock[2], who, FIRST_SCENARIO_DRAW + number)
