@@ -107,7 +107,7 @@ install_system_packages() { # Returns 1 when this account may not install, 2 whe
     say "installing system packages: $*"
     as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
     { "${as_root[@]}" update && "${as_root[@]}" install -y --no-install-recommends "$@"; } \
-        >>"$setup_log" 2>&1 </dev/null 9>&- || return 2
+        >>"$setup_log" 2>&1 </dev/null 9>&- || return 2 # no daemon that a package starts may keep our lock
 }
 
 ask_for_packages() { # The one message for an account that may not install.
@@ -179,15 +179,15 @@ no_python() {
 make_environment() {
     say "making the virtual environment with Python $python_version ($python)"
     rm -rf "$venv"
-    "$python" -m venv "$venv" >>"$setup_log" 2>&1 9>&- || { say "it failed:" && show_log && exit 1; }
+    "$python" -m venv "$venv" >>"$setup_log" 2>&1 || { say "it failed:" && show_log && exit 1; }
 }
 
 install_packages() { # install_packages run|dev
     local started=$SECONDS
     rm -f "$venv"/stamp.*
-    say "installing the locked packages (the first time takes a minute or two)"
+    say "installing the locked packages (the first time, a minute or two)"
     PIP_USER=0 "$venv/bin/python" -m pip install --require-hashes --only-binary :all: --no-input \
-        --disable-pip-version-check -r "$(lock_file "$1")" >>"$setup_log" 2>&1 </dev/null 9>&- ||
+        --disable-pip-version-check -r "$(lock_file "$1")" >>"$setup_log" 2>&1 </dev/null ||
         { say "it failed:" && show_log && exit 1; }
     digest "$1" >"$venv/stamp.$1"
     # The packages for tests include those for running.
@@ -198,7 +198,9 @@ install_packages() { # install_packages run|dev
 
 # --- all together -------------------------------------------------------------------------------------------------
 
-take_lock() { # Only one start sets up at a time; the others wait and then find it done.
+# Only one start sets up at a time; the others wait and then find it done. venv and pip inherit the lock: should this
+# script be killed, the next start waits for what it left behind.
+take_lock() {
     mkdir -p "$cache" 2>/dev/null || true
     if [ ! -w "$cache" ]; then
         say "this folder cannot be written by this account, and its set-up is not complete: $root"
@@ -237,7 +239,9 @@ complete() { # complete run|dev must|may: whatever is not there yet.
 set_up() { # set_up run|dev must|may: "may" when a missing Qt library need not stop what was asked for.
     unset PYTHONHOME PYTHONPATH
     everything_ready "$1" && return 0
+    trap 'say "interrupted; the next start takes it up again" && exit 130' INT TERM
     take_lock
     everything_ready "$1" || complete "$1" "$2"
     exec 9>&-
+    trap - INT TERM
 }
