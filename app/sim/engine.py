@@ -1,0 +1,91 @@
+"""What every engine offers, so that one can replace another without a change elsewhere."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from ..core.hierarchy import Hierarchy
+from ..core.library import Types
+from ..core.machine import Arguments, Leaving, Machine, Senses
+from ..core.project import Value
+from .scenario import Scenario
+from .world import FrozenWorld
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Everything that a run begins with.
+
+    Attributes:
+        parameters: All of the scenario's parameters, as `Scenario.settle` returns them.
+        top: Name of the behavior that every root starts with; empty leaves all idle.
+    """
+
+    scenario: Scenario
+    parameters: Mapping[str, Value]
+    hierarchy: Hierarchy
+    types: Types
+    seed: int
+    world: int = 0
+    top: str = ""
+    arguments: Arguments = field(default_factory=dict)
+    physics: str = "kinematic"
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """Who decides in a tick.
+
+    Attributes:
+        picks: Node id -> state that the user picked.
+        taught: Nodes that change state by picks only.
+        still: Nodes that do not tick.
+    """
+
+    picks: Mapping[str, str] = field(default_factory=dict)
+    taught: frozenset[str] = frozenset()
+    still: frozenset[str] = frozenset()
+
+
+FREE = Control()
+
+
+class Engine(Protocol):
+    """A world with its nodes, stepped tick by tick."""
+
+    @property
+    def tick(self) -> int:
+        """The tick that comes next; as many have passed."""
+
+    @property
+    def machine(self) -> Machine:
+        """What all nodes do now."""
+
+    @property
+    def senses(self) -> Senses:
+        """What can be sensed now."""
+
+    def step(self, ticks: int = 1, control: Control = FREE) -> None:
+        """Pass ticks; picks take effect in the first of them."""
+
+    def frozen_world(self) -> FrozenWorld:
+        """A copy of the world."""
+
+    def restore(
+        self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, object]
+    ) -> None:
+        """Go back to a copied world, and to what all nodes did then."""
+
+    def move(self, entity: int, x: float, y: float) -> None:
+        """Put an entity somewhere else."""
+
+    def measures(self) -> Mapping[str, float]:
+        """The scenario's measures now."""
+
+    @property
+    def progressed(self) -> int:
+        """The tick of the last progress, -1 if there was none."""
+
+
+#: Makes an engine; *leaving* is told of every change of state at the top of a node, before it happens.
+MakeEngine = Callable[[Start, Leaving | None], Engine]

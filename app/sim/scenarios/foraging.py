@@ -1,0 +1,401 @@
+"""Box foraging (paper, section 4): agents hunt for boxes and pull them to a deposit; heavy boxes need many agents."""
+
+from dataclasses import dataclass
+from math import atan2, cos, pi, sin, sqrt, tau
+
+from ...core.chance import THE_WORLD, uniform
+from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
+from ..scenario import Column, Kind, Per, Scenario, World, quantity
+
+PLACEMENTS = ("anywhere", "ring")
+RELEASES = ("anyone", "full")
+
+# Draw numbers of the world; each box has its own block of draws when it is placed.
+_PLACE_AGENT, _PLACE_BOX, _DRAWS_PER_BOX, _CLAIM = 0, 16, 64, 1
+
+
+@dataclass(frozen=True, slots=True)
+class Parameters:
+    """What can be set. Lengths are in world units, speeds a tick."""
+
+    width: float = quantity(200.0, "units", 10.0, 100_000.0, doc="the arena's extent along x")
+    height: float = quantity(200.0, "units", 10.0, 100_000.0, doc="the arena's extent along y")
+    step: float = quantity(0.1, "units per tick", 0.0, 100.0, doc="how far Forward moves, and a pulled box")
+    turn_degrees: float = quantity(2.0, "degrees per tick", 0.0, 180.0, doc="how far a rotation turns")
+    boxes: int = quantity(10, "", 0, 100_000, doc="boxes altogether")
+    big_boxes: int = quantity(0, "", 0, 100_000, doc="how many of the boxes are big")
+    pullers: int = quantity(5, "agents", 1, 10_000, doc="agents that an ordinary box needs")
+    big_pullers: int = quantity(25, "agents", 1, 10_000, doc="agents that a big box needs")
+    box_diameter: float = quantity(5.0, "units", 0.1, 1_000.0, doc="for drawing and for contact")
+    agent_diameter: float = quantity(1.0, "units", 0.01, 1_000.0, doc="for drawing and for contact")
+    sight: float = quantity(10.0, "units", 0.0, 100_000.0, doc="boxes are seen within this distance")
+    grab_range: float = quantity(5.0, "units", 0.0, 100_000.0, doc="boxes are grabbed within this distance")
+    deposit_x: float = quantity(100.0, "units", 0.0, 100_000.0, doc="where the deposit is")
+    deposit_y: float = quantity(100.0, "units", 0.0, 100_000.0, doc="where the deposit is")
+    deposit_range: float = quantity(5.0, "units", 0.0, 100_000.0, doc="a box this near counts as deposited")
+    placement: str = quantity(
+        "anywhere", choices=PLACEMENTS, doc="where boxes appear: anywhere, or on a ring"
+    )
+    ring_radius: float = quantity(70.0, "units", 0.0, 100_000.0, doc="the ring's distance from the deposit")
+    release: str = quantity(
+        "anyone", choices=RELEASES, doc="who may let go: anyone, or only pullers of full boxes"
+    )
+
+
+scenario = Scenario(
+    "foraging",
+    "Box foraging",
+    Parameters,
+    kinds=(
+        Kind("box", "boxes", doc="pulled to the deposit"),
+        Kind("deposit", 1, doc="where boxes are brought"),
+    ),
+    columns=(
+        Column("held", whole=True, initial=NO_ENTITY, doc="the box that an agent is attached to"),
+        Column(
+            "wants", whole=True, initial=NO_ENTITY, doc="the box that an agent tries to grab in this tick"
+        ),
+        Column("lets_go", whole=True, doc="1 where an agent lets go of its box in this tick"),
+        Column("needed", whole=True, doc="agents that a box needs"),
+        Column("pulling", whole=True, doc="agents attached to a box"),
+        Column("boxes_delivered", per=Per.WORLD, doc="boxes brought to the deposit"),
+        Column("weight_delivered", per=Per.WORLD, doc="sum of the agents needed by the boxes brought"),
+    ),
+    measures={"boxes": "boxes_delivered", "weight": "weight_delivered"},
+    doc="Agents hunt for boxes and pull them to a deposit; a box moves once enough agents pull it together.",
+)
+
+
+# ------------------------------------------------------------------------------------------------ geometry
+
+
+def distance(world: World, a: int, b: int) -> float:
+    """Between the centers of two entities."""
+    dx = world.x[b] - world.x[a]
+    dy = world.y[b] - world.y[a]
+    return sqrt(dx * dx + dy * dy)
+
+
+def wrapped(angle: float) -> float:
+    """The same angle in [-pi, pi)."""
+    return (angle + pi) % tau - pi
+
+
+def clamped(value: float, high: float) -> float:
+    """*value* put into [0, high]."""
+    return min(max(value, 0.0), high)
+
+
+# ------------------------------------------------------------------------------------------------ features
+
+
+@scenario.feature(
+    "DistanceTo",
+    FeatureKind.CONTINUOUS,
+    ("target",),
+    default=1000.0,
+    unit="units",
+    phrases=Phrases(above="farther than {value} from {target}", below="within {value} of {target}"),
+)
+def distance_to(world: World, me: int, target: int) -> float:
+    """How far the target is, center to center; 1000 if there is none."""
+    return distance(world, me, target)
+
+
+@scenario.feature(
+    "DirectionTo",
+    FeatureKind.TOROIDAL,
+    ("target",),
+    default=0.0,
+    unit="radians",
+    phrases=Phrases(true="{target} lies between {start} and {end}", false="{target} lies elsewhere"),
+)
+def direction_to(world: World, me: int, target: int) -> float:
+    """Angle to the target in the agent's frame, in [-pi, pi), positive to the left; 0 (ahead) if there is none."""
+    dx = world.x[target] - world.x[me]
+    dy = world.y[target] - world.y[me]
+    return wrapped(atan2(dy, dx) - world.heading[me])
+
+
+@scenario.feature("ICanSeeABox", FeatureKind.BOOLEAN, phrases=Phrases(true="sees a box", false="sees no box"))
+def i_can_see_a_box(world: World, me: int) -> float:
+    """Whether a box that still needs pullers is within sight."""
+    return 1.0 if nearest_box_within(world, me, world.params.sight) >= 0 else 0.0
+
+
+@scenario.feature(
+    "IAmAttachedToABox", FeatureKind.BOOLEAN, phrases=Phrases(true="holds a box", false="holds no box")
+)
+def i_am_attached_to_a_box(world: World, me: int) -> float:
+    """Whether the agent is attached to a box."""
+    return 1.0 if world.held[me] >= 0 else 0.0
+
+
+@scenario.feature(
+    "MyBoxMoves", FeatureKind.BOOLEAN, phrases=Phrases(true="its box is full", false="its box lacks pullers")
+)
+def my_box_moves(world: World, me: int) -> float:
+    """Whether the agent is attached to a box that has all the pullers it needs."""
+    box = world.held[me]
+    return 1.0 if box >= 0 and world.pulling[box] >= world.needed[box] else 0.0
+
+
+@scenario.group_feature(
+    "SomeoneNeedsHelp",
+    FeatureKind.BOOLEAN,
+    phrases=Phrases(true="someone needs help", false="nobody needs help"),
+)
+def someone_needs_help(world: World, first: int, end: int) -> float:
+    """Whether someone below is attached to a box that needs more agents than that one's level-1 group has."""
+    for k in range(first, end):
+        agent = world.members[k]
+        box = world.held[agent]
+        if box >= 0 and world.needed[box] > world.group_size[agent]:
+            return 1.0
+    return 0.0
+
+
+# ------------------------------------------------------------------------------------------------- targets
+
+
+def nearest_box_within(world: World, me: int, reach: float) -> int:
+    """The nearest box within *reach* that still needs pullers, or -1; the first of equally near ones."""
+    best = -1
+    best_distance = reach
+    for box in range(world.first_box, world.end_box):
+        if world.pulling[box] < world.needed[box]:
+            d = distance(world, me, box)
+            if d < best_distance or (best < 0 and d == best_distance):
+                best = box
+                best_distance = d
+    return best
+
+
+@scenario.target("nearest visible box")
+def nearest_visible_box(world: World, first: int, end: int, me: int) -> int:
+    """The nearest box within sight that still needs pullers."""
+    return nearest_box_within(world, me, world.params.sight)
+
+
+@scenario.target("deposit")
+def deposit(world: World, first: int, end: int, me: int) -> int:
+    """Where boxes are brought."""
+    home: int = world.first_deposit
+    return home
+
+
+@scenario.target("closest attached agent", level=1)
+def closest_attached_agent(world: World, first: int, end: int, me: int) -> int:
+    """The attached agent in the owner's subtree nearest to the performer; none for an attached performer."""
+    best = -1
+    if world.held[me] < 0:
+        best_distance = 0.0
+        for k in range(first, end):
+            agent = world.members[k]
+            if world.held[agent] >= 0:
+                d = distance(world, me, agent)
+                if best < 0 or d < best_distance:
+                    best = agent
+                    best_distance = d
+    return best
+
+
+@scenario.target("biggest attached agent", level=2)
+def biggest_attached_agent(world: World, first: int, end: int, me: int) -> int:
+    """The agent in the owner's subtree attached to the box that needs most; none for who is attached to such a box.
+
+    Of several, the one nearest to the performer.
+    """
+    most = 0
+    for k in range(first, end):
+        box = world.held[world.members[k]]
+        if box >= 0 and world.needed[box] > most:
+            most = world.needed[box]
+    mine = world.held[me]
+    best = -1
+    if most > 0 and not (mine >= 0 and world.needed[mine] == most):
+        best_distance = 0.0
+        for k in range(first, end):
+            agent = world.members[k]
+            box = world.held[agent]
+            if box >= 0 and world.needed[box] == most:
+                d = distance(world, me, agent)
+                if best < 0 or d < best_distance:
+                    best = agent
+                    best_distance = d
+    return best
+
+
+# ----------------------------------------------------------------------------------------------- behaviors
+
+
+@scenario.behavior("Forward")
+def forward(world: World, me: int) -> None:
+    """Walk ahead; attached, pull ahead."""
+    world.drive[me] = world.params.step
+
+
+@scenario.behavior("RotateLeft")
+def rotate_left(world: World, me: int) -> None:
+    """Turn counterclockwise on the spot."""
+    world.turn[me] = world.params.turn_degrees * pi / 180.0
+
+
+@scenario.behavior("RotateRight")
+def rotate_right(world: World, me: int) -> None:
+    """Turn clockwise on the spot."""
+    world.turn[me] = -world.params.turn_degrees * pi / 180.0
+
+
+@scenario.behavior("GrabBox", one_shot=True)
+def grab_box(world: World, me: int) -> None:
+    """Try once to attach to the nearest box within reach that still needs pullers."""
+    if world.held[me] < 0:
+        world.wants[me] = nearest_box_within(world, me, world.params.grab_range)
+
+
+@scenario.behavior("ReleaseBox", one_shot=True, raises=DONE)
+def release_box(world: World, me: int) -> None:
+    """Let go of the box, if any; done."""
+    world.lets_go[me] = 1
+
+
+@scenario.behavior("ReleaseBoxAndFinish", one_shot=True, raises=DONE, finishes=True)
+def release_box_and_finish(world: World, me: int) -> None:
+    """Let go of the box, if any; done, and finished."""
+    world.lets_go[me] = 1
+
+
+@scenario.behavior("Done", one_shot=True, raises=DONE)
+def done(world: World, me: int) -> None:
+    """Do nothing; done."""
+
+
+# -------------------------------------------------------------------------------------------------- stages
+
+
+@scenario.reset
+def reset(world: World) -> None:
+    """Put the deposit in place, agents and boxes at random."""
+    world.x[world.first_deposit] = world.params.deposit_x
+    world.y[world.first_deposit] = world.params.deposit_y
+    for agent in range(world.agents):
+        world.x[agent] = uniform(world.clock, agent, _PLACE_AGENT) * world.params.width
+        world.y[agent] = uniform(world.clock, agent, _PLACE_AGENT + 1) * world.params.height
+        world.heading[agent] = uniform(world.clock, agent, _PLACE_AGENT + 2) * tau - pi
+    for box in range(world.first_box, world.end_box):
+        big = box - world.first_box < world.params.big_boxes
+        world.needed[box] = world.params.big_pullers if big else world.params.pullers
+        place_box(world, box)
+
+
+def place_box(world: World, box: int) -> None:
+    """Put a box down at random, beyond the deposit's range: it is tried up to 31 times."""
+    params = world.params
+    number = _PLACE_BOX + (box - world.first_box) * _DRAWS_PER_BOX
+    home = world.first_deposit
+    tries = 0
+    while tries < 31:
+        a = uniform(world.clock, THE_WORLD, number + 2 * tries)
+        b = uniform(world.clock, THE_WORLD, number + 2 * tries + 1)
+        if params.placement == 0:
+            world.x[box] = a * params.width
+            world.y[box] = b * params.height
+        else:
+            world.x[box] = clamped(world.x[home] + params.ring_radius * cos(a * tau), params.width)
+            world.y[box] = clamped(world.y[home] + params.ring_radius * sin(a * tau), params.height)
+        tries = tries + 1
+        if distance(world, box, home) > params.deposit_range:
+            tries = 31
+
+
+@scenario.resolve
+def settle_grabs(world: World) -> None:
+    """Let agents go, then attach those who grab; where more grab than a box needs, the lowest draws win."""
+    for agent in range(world.agents):
+        if world.lets_go[agent] == 1:
+            world.lets_go[agent] = 0
+            box = world.held[agent]
+            if box >= 0 and (world.params.release == 0 or world.pulling[box] >= world.needed[box]):
+                detach(world, agent)
+    for agent in range(world.agents):
+        box = world.wants[agent]
+        if box >= 0 and world.pulling[box] + stronger_claims(world, agent, box) < world.needed[box]:
+            world.held[agent] = box
+    for agent in range(world.agents):
+        box = world.wants[agent]
+        if box >= 0:
+            world.wants[agent] = -1
+            if world.held[agent] == box:
+                world.pulling[box] += 1
+
+
+def stronger_claims(world: World, me: int, box: int) -> int:
+    """How many others grab *box* in this tick with a lower draw."""
+    mine = uniform(world.clock, me, _CLAIM)
+    count = 0
+    for agent in range(world.agents):
+        if world.wants[agent] == box and agent != me:
+            other = uniform(world.clock, agent, _CLAIM)
+            if other < mine or (other == mine and agent < me):
+                count += 1
+    return count
+
+
+def detach(world: World, agent: int) -> None:
+    """Take an agent off its box."""
+    world.pulling[world.held[agent]] -= 1
+    world.held[agent] = -1
+
+
+@scenario.kinematics
+def move(world: World) -> None:
+    """Turn all agents, walk the free ones, and pull the boxes that have enough pullers."""
+    for agent in range(world.agents):
+        if world.turn[agent] != 0.0:
+            world.heading[agent] = wrapped(world.heading[agent] + world.turn[agent])
+        if world.drive[agent] != 0.0 and world.held[agent] < 0:
+            dx = world.drive[agent] * cos(world.heading[agent])
+            dy = world.drive[agent] * sin(world.heading[agent])
+            world.x[agent] = clamped(world.x[agent] + dx, world.params.width)
+            world.y[agent] = clamped(world.y[agent] + dy, world.params.height)
+    for box in range(world.first_box, world.end_box):
+        if world.pulling[box] >= world.needed[box]:
+            pull(world, box)
+
+
+def pull(world: World, box: int) -> None:
+    """Move a box one step along the sum of its pullers' headings, as far as the walls allow, and carry them along."""
+    sx = 0.0
+    sy = 0.0
+    for agent in range(world.agents):
+        if world.held[agent] == box and world.drive[agent] != 0.0:
+            sx += cos(world.heading[agent])
+            sy += sin(world.heading[agent])
+    length = sqrt(sx * sx + sy * sy)
+    if length > 1e-9:
+        x = clamped(world.x[box] + world.params.step * sx / length, world.params.width)
+        y = clamped(world.y[box] + world.params.step * sy / length, world.params.height)
+        dx = x - world.x[box]
+        dy = y - world.y[box]
+        world.x[box] = x
+        world.y[box] = y
+        for agent in range(world.agents):
+            if world.held[agent] == box:
+                world.x[agent] = clamped(world.x[agent] + dx, world.params.width)
+                world.y[agent] = clamped(world.y[agent] + dy, world.params.height)
+
+
+@scenario.after_tick
+def deliver(world: World) -> None:
+    """Count every box that was pulled to the deposit, release its agents, and place it anew."""
+    for box in range(world.first_box, world.end_box):
+        pulled = world.pulling[box] >= world.needed[box]
+        if pulled and distance(world, box, world.first_deposit) <= world.params.deposit_range:
+            world.boxes_delivered[0] += 1.0
+            world.weight_delivered[0] += world.needed[box]
+            world.progressed[0] = world.clock[2]
+            for agent in range(world.agents):
+                if world.held[agent] == box:
+                    detach(world, agent)
+            place_box(world, box)
