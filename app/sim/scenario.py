@@ -265,7 +265,7 @@ def _doc(function: Callable[..., Any]) -> str:
 
 def _checked(name: str, declared: "Field[Any]", value: Value) -> Value:
     """*value* as the type of the parameter's default, within its range."""
-    wanted: type[Value] = type(declared.default)
+    wanted: Any = type(declared.default)
     if wanted is float and isinstance(value, int) and not isinstance(value, bool):
         value = float(value)
     if not isinstance(value, wanted) or isinstance(value, bool) is not (wanted is bool):
