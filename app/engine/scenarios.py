@@ -13,7 +13,7 @@ from ..sim.scenarios import shipped
 OWN_CODE = "scenario.py"
 
 
-class TrustNeeded(ScenarioError):
+class TrustError(ScenarioError):
     """A project carries code that nobody has trusted yet."""
 
 
@@ -30,25 +30,31 @@ def open_scenario(project: Project, folder: Path | None = None, *, trust: bool =
         trust: Whether the user trusts that code.
 
     Raises:
-        TrustNeeded: The project brings code and is not trusted.
+        TrustError: The project brings code and is not trusted.
         ScenarioError: There is no such scenario, or its module fails.
     """
     if not brings_code(project):
         return shipped(project.scenario)
     path = (folder or Path()) / OWN_CODE
     if not trust:
-        raise TrustNeeded(
+        raise TrustError(
             f"{path}: this project carries code; read it, then allow it to run with --trust (in the window: Trust)"
         )
     return _own(path)
+
+
+def _offer_contract() -> None:
+    """Let ``from understudy.sim.scenario import ...`` find the loaded contract, whatever name this package runs as."""
+    root = __name__.split(".", maxsplit=1)[0]
+    for name in ("", ".sim", ".sim.scenario"):
+        sys.modules.setdefault("understudy" + name, sys.modules[root + name])
 
 
 def _own(path: Path) -> Scenario:
     """The scenario that the module at *path* declares as ``scenario``."""
     if not path.is_file():
         raise ScenarioError(f"{path}: the project says that its scenario is here, but there is no such file")
-    # The name is a fixed sibling of the shipped scenarios, so that ``from understudy...`` is not needed: imports of the
-    # contract inside the file are absolute, from the package this program runs as.
+    _offer_contract()
     spec = spec_from_file_location("understudy_project_scenario", path)
     assert spec is not None
     assert spec.loader is not None

@@ -3,7 +3,9 @@
 A scenario is one Python module. It makes a `Scenario`, declares its parameters, kinds of entities, columns and measures,
 and decorates plain functions. Every function gets the world first and reads and writes columns by entity:
 ``world.x[me]``. The reference engine calls the functions as they are; the compiled kernel calls the same functions
-compiled, so they keep to numbers, `math`, loops, and `app.core.chance.uniform`.
+compiled, so they keep to numbers, `math`, loops, and `uniform`. What differs between the two is not to be used: hypot,
+``**`` with whole powers, fmod, negative indices, whole numbers beyond 63 bits. A project's own scenario imports all it
+needs from here: ``from understudy.sim.scenario import Scenario, uniform, ...``.
 
 The world has, besides the declared columns:
 
@@ -25,9 +27,36 @@ from enum import StrEnum
 from math import isfinite, pi
 from typing import Any, TypeVar
 
+from ..core.chance import THE_WORLD, uniform
 from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Value
-from ..core.vocabulary import BasicBehavior, Feature, FeatureKind, Phrases, Target, Vocabulary
+from ..core.vocabulary import (
+    DONE,
+    FAILED,
+    NO_ENTITY,
+    BasicBehavior,
+    Feature,
+    FeatureKind,
+    Phrases,
+    Target,
+    Vocabulary,
+)
+
+__all__ = [
+    "DONE",
+    "FAILED",
+    "NO_ENTITY",
+    "THE_WORLD",
+    "Column",
+    "FeatureKind",
+    "Kind",
+    "Per",
+    "Phrases",
+    "Scenario",
+    "World",
+    "quantity",
+    "uniform",
+]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 #: A world is a named tuple whose type depends on the scenario, hence Any.
@@ -273,7 +302,8 @@ def _checked(name: str, declared: "Field[Any]", value: Value) -> Value:
     if isinstance(value, float) and not isfinite(value):
         raise ParameterError(f"{name} takes a finite number, but it is {value!r}")
     _check_range(name, declared, value)
-    return value
+    settled: Value = value
+    return settled
 
 
 def _check_range(name: str, declared: "Field[Any]", value: Value) -> None:
