@@ -132,7 +132,7 @@ get_system_packages() {
         install_system_packages "$@" || outcome=$?
     fi
     [ $outcome -ne 0 ] || return 0
-    [ $outcome -ne 2 ] || echo "$HOSTNAME $*" >"$cache/system.failed"
+    if [ $outcome -eq 2 ] && [ -w "$cache" ]; then echo "$HOSTNAME $*" >"$cache/system.failed"; fi
     if [ "$need" = may ]; then
         say "windows and pictures may not work, these system packages are missing: $*"
         return 0
@@ -200,9 +200,11 @@ install_packages() { # install_packages run|dev
 
 # Only one start sets up at a time; the others wait and then find it done. venv and pip inherit the lock: should this
 # script be killed, the next start waits for what it left behind.
-take_lock() {
+take_lock() { # take_lock run|dev
     mkdir -p "$cache" 2>/dev/null || true
     if [ ! -w "$cache" ]; then
+        setup_log=/dev/null
+        packages_ready "$1" && return 0 # somebody else's clone, set up by them
         say "this folder cannot be written by this account, and its set-up is not complete: $root"
         exit 2
     fi
@@ -215,7 +217,7 @@ everything_ready() { packages_ready "$1" && system_ready "$1"; }
 
 complete() { # complete run|dev must|may: whatever is not there yet.
     local fresh=no wanted=()
-    date >"$setup_log"
+    packages_ready "$1" || date >"$setup_log"
     environment_ready || fresh=yes
     if [ $fresh = yes ]; then
         find_python || no_python
@@ -240,7 +242,7 @@ set_up() { # set_up run|dev must|may: "may" when a missing Qt library need not s
     unset PYTHONHOME PYTHONPATH
     everything_ready "$1" && return 0
     trap 'say "interrupted; the next start takes it up again" && exit 130' INT TERM
-    take_lock
+    take_lock "$1"
     everything_ready "$1" || complete "$1" "$2"
     exec 9>&-
     trap - INT TERM
