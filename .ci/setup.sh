@@ -51,7 +51,16 @@ dev_libraries=(
 
 say() { printf 'understudy: %s\n' "$*" >&2; }
 
-show_command() { printf '\n    %s\n\n' "$*" >&2; } # On a line of its own, to be copied.
+show_apt() { # The command that installs packages, for this account, on a line of its own to be copied.
+    local update="apt-get update" install="apt-get install -y --no-install-recommends $*"
+    if [ "$(id -u)" -eq 0 ]; then
+        printf '\n    %s && %s\n\n' "$update" "$install" >&2
+    elif command -v sudo >/dev/null; then
+        printf '\n    sudo %s && sudo %s\n\n' "$update" "$install" >&2
+    else
+        printf "\n    su -c '%s && %s'\n\n" "$update" "$install" >&2
+    fi
+}
 
 show_log() { # The end of the set-up's log, after a step that failed.
     tail -n 15 "$setup_log" | sed 's/^/    /' >&2
@@ -110,18 +119,6 @@ install_system_packages() { # Returns 1 when this account may not install, 2 whe
         >>"$setup_log" 2>&1 </dev/null 9>&- || return 2 # no daemon that a package starts may keep our lock
 }
 
-ask_for_packages() { # The one message for an account that may not install.
-    local update="apt-get update" install="apt-get install -y --no-install-recommends $*"
-    say "system packages are missing, and this account may not install them. Run this once, then start again:"
-    if [ "$(id -u)" -eq 0 ]; then
-        show_command "$update && $install"
-    elif command -v sudo >/dev/null; then
-        show_command "sudo $update && sudo $install"
-    else
-        show_command "su -c '$update && $install'"
-    fi
-}
-
 # get_system_packages must|may PACKAGE...: "may" goes on without them, after one line.
 get_system_packages() {
     local need=$1 outcome=0
@@ -137,8 +134,14 @@ get_system_packages() {
         say "windows and pictures may not work, these system packages are missing: $*"
         return 0
     fi
-    [ $outcome -ne 2 ] || { say "installing system packages failed:" && show_log; }
-    ask_for_packages "$@"
+    if [ $outcome -eq 2 ]; then
+        say "installing system packages failed:"
+        show_log
+        say "when the cause is mended, start again, or run this by hand first:"
+    else
+        say "system packages are missing, and this account may not install them. Run this once, then start again:"
+    fi
+    show_apt "$@"
     exit 2
 }
 
@@ -171,7 +174,7 @@ no_python() {
     # Where python3 is there but too old, the newer one has another name.
     ! command -v python3 >/dev/null || package=python3.11
     say "needs Python 3.11, 3.12, 3.13 or 3.14. Run this once, then start again:"
-    show_command "sudo apt-get update && sudo apt-get install -y $package $package-venv"
+    show_apt "$package" "$package-venv"
     say "or name an interpreter: UNDERSTUDY_PYTHON=/path/to/python3 ./run"
     exit 2
 }
@@ -179,7 +182,7 @@ no_python() {
 make_environment() {
     say "making the virtual environment with Python $python_version ($python)"
     rm -rf "$venv"
-    "$python" -m venv "$venv" >>"$setup_log" 2>&1 || { say "it failed:" && show_log && exit 1; }
+    "$python" -m venv "$venv" >>"$setup_log" 2>&1 || { say "that failed:" && show_log && exit 1; }
 }
 
 install_packages() { # install_packages run|dev
@@ -188,7 +191,7 @@ install_packages() { # install_packages run|dev
     say "installing the locked packages (the first time, a minute or two)"
     PIP_USER=0 "$venv/bin/python" -m pip install --require-hashes --only-binary :all: --no-input \
         --disable-pip-version-check -r "$(lock_file "$1")" >>"$setup_log" 2>&1 </dev/null ||
-        { say "it failed:" && show_log && exit 1; }
+        { say "installing the packages failed:" && show_log && exit 1; }
     digest "$1" >"$venv/stamp.$1"
     # The packages for tests include those for running.
     [ "$1" = run ] || digest run >"$venv/stamp.run"
