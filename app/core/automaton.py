@@ -5,12 +5,12 @@ function of a state is its authored rules in order, then its learned model, then
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from .conditions import Guard
 from .features import Bindings, FeatureUse
-from .tree import Forest, Tree
+from .tree import Forest, Leaf, Tree
 
 START = "start"
 
@@ -180,11 +180,16 @@ def reachable(automaton: Automaton) -> frozenset[str]:
 
 def successors(automaton: Automaton, state_id: str) -> set[str]:
     """States that can follow *state_id* within the automaton."""
-    after = {rule.target for rule in automaton.rules_of(state_id) if rule.probability > 0}
+    after: set[str] = set()
+    for rule in automaton.rules_of(state_id):
+        if rule.probability > 0:
+            after.add(rule.target)
+        if not rule.guard and rule.probability >= 1:
+            return after  # it leaves nothing to the rules and the model after it
     model = automaton.learned.get(state_id)
     if isinstance(model, Tree | Forest):
         forbidden = {label for p in automaton.prunes_of(state_id) if not p.guard for label in p.forbidden}
-        after |= set(predicted(model)) - forbidden
+        after |= predicted(model) - forbidden
     elif isinstance(model, Refit):
         after |= {state.id for state in automaton.states}
     return after
@@ -197,6 +202,7 @@ def predicted(model: Tree | Forest) -> set[str]:
         label
         for tree in trees
         for node in tree.nodes()
+        if isinstance(node, Leaf)
         for label, count in zip(tree.labels, node.counts, strict=True)
         if count > 0
     }
@@ -205,16 +211,10 @@ def predicted(model: Tree | Forest) -> set[str]:
 def trimmed(automaton: Automaton) -> Automaton:
     """*automaton* without the states that cannot be entered: what runs and what is exported (paper, section 3.1)."""
     kept = reachable(automaton)
-    return Automaton(
-        automaton.id,
-        automaton.name,
-        automaton.parameters,
-        tuple(state for state in automaton.states if state.id in kept),
-        automaton.features,
-        tuple(rule for rule in automaton.rules if rule.source in kept and rule.target in kept),
-        {state_id: model for state_id, model in automaton.learned.items() if state_id in kept},
-        automaton.learned_from,
-        tuple(prune for prune in automaton.prunes if prune.source in kept),
-        automaton.settings,
-        automaton.note,
+    return replace(
+        automaton,
+        states=tuple(state for state in automaton.states if state.id in kept),
+        rules=tuple(rule for rule in automaton.rules if rule.source in kept and rule.target in kept),
+        learned={state_id: model for state_id, model in automaton.learned.items() if state_id in kept},
+        prunes=tuple(prune for prune in automaton.prunes if prune.source in kept),
     )

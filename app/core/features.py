@@ -124,7 +124,9 @@ def slots(bindings: Bindings) -> str:
     return "(" + ", ".join(b.target if isinstance(b, Ground) else b.name for b in bindings.values()) + ")"
 
 
-_COUNTING = {Operation.ANY: FeatureKind.BOOLEAN, Operation.ALL: FeatureKind.BOOLEAN}
+_KINDS = {Operation.ANY: FeatureKind.BOOLEAN, Operation.ALL: FeatureKind.BOOLEAN}
+#: The others give numbers in the unit of what they sum up.
+_UNITLESS = (Operation.ANY, Operation.ALL, Operation.COUNT)
 
 
 def declaration(source: Source, vocabulary: Vocabulary) -> Feature:
@@ -142,8 +144,11 @@ def declaration(source: Source, vocabulary: Vocabulary) -> Feature:
             return Feature("TicksInState", FeatureKind.CONTINUOUS, unit="ticks")
         case Statistic(operation, of, _):
             inner = declaration(of, vocabulary)
-            kind = _COUNTING.get(operation, FeatureKind.CONTINUOUS)
-            return Feature(describe(source), kind, default=inner.default, unit=inner.unit)
+            kind = _KINDS.get(operation, FeatureKind.CONTINUOUS)
+            unit = "" if operation in _UNITLESS else inner.unit
+            return Feature(
+                describe(source), kind, default=empty_statistic(operation, inner.default), unit=unit
+            )
 
 
 def empty_statistic(operation: Operation, default: float) -> float:

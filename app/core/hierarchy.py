@@ -81,7 +81,9 @@ def from_table(sizes: Sequence[int], types: Sequence[str]) -> Hierarchy:
         HierarchyError: The two differ in length, are empty, or a size is below 1.
     """
     if not sizes or len(sizes) != len(types):
-        raise HierarchyError(f"{len(sizes)} level sizes need as many types, but there are {len(types)}")
+        raise HierarchyError(
+            f"there are {len(sizes)} level sizes and {len(types)} types; allowed: one type a level, one level or more"
+        )
     if bad := [size for size in sizes if size < 1]:
         raise HierarchyError(f"a level size must be 1 or more, but one is {bad[0]}")
     counters = dict.fromkeys(types, 0)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import networkx as nx
 
-from .automaton import Automaton, Basic, Nested, RaiseFlag
+from .automaton import Automaton, Basic, RaiseFlag
 from .errors import LibraryError
 from .vocabulary import FINISHED, STANDARD_FLAGS, BasicBehavior, Vocabulary
 
@@ -90,7 +90,9 @@ class Library:
 
 def raised_flags(automaton: Automaton, vocabulary: Vocabulary) -> tuple[str, ...]:
     """The flags that *automaton* can raise, in the order of its states."""
-    return tuple(dict.fromkeys(flag for state in automaton.states if (flag := _flag(state.content, vocabulary))))
+    return tuple(
+        dict.fromkeys(flag for state in automaton.states if (flag := _flag(state.content, vocabulary)))
+    )
 
 
 def _flag(content: object, vocabulary: Vocabulary) -> str | None:
@@ -135,7 +137,9 @@ class Types:
             LibraryError: There is none.
         """
         if type_name not in self.types:
-            raise LibraryError(f"there is no node type {type_name!r}; there are: {', '.join(self.types) or 'none'}")
+            raise LibraryError(
+                f"there is no node type {type_name!r}; there are: {', '.join(self.types) or 'none'}"
+            )
         return self.types[type_name]
 
     def vocabulary(self, type_name: str) -> Vocabulary:
@@ -163,6 +167,12 @@ class Types:
         return Vocabulary(node_type.level, behaviors, features, targets)
 
     def _shared(self, node_type: NodeType) -> Mapping[str, BasicBehavior]:
+        for name in node_type.subsidiaries:
+            if self.type(name).level >= node_type.level:
+                raise LibraryError(
+                    f"{name!r} has level {self.type(name).level}, but under {node_type.name!r} "
+                    f"it must be below {node_type.level}"
+                )
         repertoires = [self.repertoire(name) for name in node_type.subsidiaries]
         if not repertoires:
             return {}
@@ -185,5 +195,3 @@ def statistic_vocabulary(types: Types) -> Vocabulary:
     scenario = types.agent_features()
     features = {n: f for n, f in scenario.features.items() if f.whose == "agent"}
     return Vocabulary(0, scenario.behaviors, features, scenario.targets)
-
-

@@ -2,33 +2,50 @@
 
 The machine knows nothing of any world. It asks `Senses` for features and targets and returns the basic behaviors that
 the agents are to perform; the world then lets them act.
+
+All features read the flags as they were when the tick began, although nodes tick one after the other: whoever reads a
+flag (the automaton above, or a controller) ticks before whoever raises it, and so do all whom a controller's new
+direction concerns, except those that only pass it on, and they evaluate nothing in that tick.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Protocol
 
-from .automaton import START, Automaton, Basic, Nested, RaiseFlag
-from .chance import FIRST_CONTROLLER, draw
-from .errors import SessionError
+from .actor import Actor, Argument, Arguments, Run, actors
+from .automaton import START, Automaton, Basic, Nested, RaiseFlag, State
+from .chance import draw
+from .errors import BindingError, LibraryError, SessionError
 from .features import (
-    Binding,
     Bindings,
     FeatureUse,
     FlagUp,
     Ground,
     Over,
+    Parameter,
     Sense,
-    Source,
     Statistic,
     TicksInState,
-    declaration,
     summarize,
 )
-from .hierarchy import Hierarchy, Node
-from .library import Behavior, Types, statistic_vocabulary
+from .hierarchy import Hierarchy
+from .library import Types, statistic_vocabulary
 from .transition import Classifier, Outcome, choose, distribution
-from .vocabulary import FINISHED, NO_ENTITY, BasicBehavior
+from .tree import Forest, Tree
+from .vocabulary import FINISHED, NO_ENTITY, BasicBehavior, Feature
+
+__all__ = [
+    "Action",
+    "Actor",
+    "Argument",
+    "Arguments",
+    "Classifiers",
+    "Leaving",
+    "Machine",
+    "Run",
+    "Senses",
+    "stored_classifiers",
+]
 
 
 class Senses(Protocol):
@@ -45,17 +62,6 @@ class Senses(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Argument:
-    """What a parameter stands for while a behavior runs: a ground target, and the node that bound it."""
-
-    target: str
-    owner: str
-
-
-Arguments = Mapping[str, Argument]
-
-
-@dataclass(frozen=True, slots=True)
 class Action:
     """A pulse of a basic behavior by an agent, its targets resolved to entities."""
 
@@ -64,70 +70,16 @@ class Action:
     targets: tuple[int, ...]
 
 
-@dataclass(slots=True)
-class Run:
-    """A behavior while one node runs it.
-
-    Attributes:
-        arguments: What the behavior's parameters stand for.
-        flags: Flags that are up on it; its parent sees them from the parent's next tick on.
-        state, entered: The automaton's current state, and the tick in which it was entered.
-        child: What the current state runs; none in Start and after a flag was raised.
-        key: What decided the last evaluation since the state was entered (for `hold`).
-        pulsed: Whether a one-shot has had its pulse.
-    """
-
-    behavior: Behavior
-    arguments: Arguments
-    flags: set[str] = field(default_factory=set)
-    state: str = START
-    entered: int = 0
-    child: "Run | None" = None
-    key: object = None
-    pulsed: bool = False
-
-
-@dataclass(slots=True)
-class Actor:
-    """A node while the machine runs.
-
-    Attributes:
-        number: An agent's number; a controller's place among the controllers.
-        members: The agents at or below it.
-        run: What it does; None idles.
-        flags: Flags of the agent itself: `finished`.
-        direction: What a controller last told its subsidiaries to start.
-    """
-
-    node: Node
-    number: int
-    members: range
-    parent: str | None
-    run: Run | None = None
-    flags: set[str] = field(default_factory=set)
-    direction: tuple[str, Arguments] | None = None
-
-    @property
-    def is_agent(self) -> bool:
-        """Whether it has a body."""
-        return not self.node.children
-
-    @property
-    def drawer(self) -> int:
-        """Who it is when it draws."""
-        return self.number if self.is_agent else FIRST_CONTROLLER + self.number
-
-
 #: Called when an automaton that a node runs directly is about to change state by itself: actor and next state.
 Leaving = Callable[[Actor, str], None]
 #: Finds the learned model of a state in a form that decides, by node type, automaton and state.
 Classifiers = Callable[[str, Automaton, str], Classifier | None]
 
 
-def stored_classifiers(type_name: str, automaton: Automaton, state: str) -> Classifier | None:
+def stored_classifiers(_type_name: str, automaton: Automaton, state: str) -> Classifier | None:
     """The trees and forests that are kept in the automata themselves."""
     model = automaton.learned.get(state)
-    return None if model is None or not hasattr(model, "decide") else model  # type: ignore[return-value]
+    return model if isinstance(model, Tree | Forest) else None
 
 
 class Machine:
@@ -151,17 +103,17 @@ class Machine:
             classifiers: Where learned models come from.
             leaving: Told of every change of state at the top of a node, before it happens.
         """
-        self.types = types
         self.now = 0
+        self.actors = actors(hierarchy)
         self._key = key
-        self._classifiers = classifiers
         self._leaving = leaving
+        self.use(types, classifiers)
+
+    def use(self, types: Types, classifiers: Classifiers) -> None:
+        """Decide by these libraries and models; `app.core.machine_state.rebase` does so while nodes are running."""
+        self.types = types
+        self._classifiers = classifiers
         self._agent_features = statistic_vocabulary(types)
-        self.actors = _actors(hierarchy)
-        self._order = [
-            *(self.actors[node.id] for node in hierarchy.controllers()),
-            *(self.actors[node.id] for node in hierarchy.agents()),
-        ]
 
     # ------------------------------------------------------------------------------------------ one tick
 
@@ -180,57 +132,47 @@ class Machine:
             picks: Node id -> state: what the user picked for taught nodes, entered instead of evaluating.
             taught: Nodes that do just what the user picks: their automaton changes state by picks only.
             still: Nodes that do not tick.
+
+        Raises:
+            SessionError: A pick names a node or state that is not there; nothing has changed then.
         """
         self.now = now
         picks, taught, still = picks or {}, frozenset(taught), frozenset(still)
+        for node_id, state_id in picks.items():
+            self._refuse_bad_pick(node_id, state_id, still)
         actions: list[Action] = []
-        for actor in self._order:
-            if actor.run is not None and actor.node.id not in still:
-                if actor.parent is None or actor.parent in still:
-                    self._lower(actor)
-                self._tick(actor, actor.run, senses, actions, 0, actor.node.id in taught, picks.get(actor.node.id))
+        for actor in self.actors.values():
+            run = actor.run
+            if run is None or actor.node.id in still:
+                continue
+            if actor.parent is None or actor.parent in still:
+                actor.lower()  # no controller looks: what the last tick raised falls
+            if actor.node.id in picks:
+                self._pick(actor, run, picks[actor.node.id])
+            elif actor.node.id not in taught:
+                self._change_state(actor, run, senses, 0)
+            action = self._perform(actor, run, senses, 0)
+            if action is not None:
+                actions.append(action)
+            if actor.left:
+                actor.lower_directed()
         self.now = now + 1
         return actions
 
-    def _lower(self, actor: Actor) -> None:
-        """A node without a controller lowers its flags one tick after they were raised."""
-        actor.flags.clear()
-        if actor.run is not None:
-            actor.run.flags.clear()
+    def _change_state(self, actor: Actor, run: Run, senses: Senses, depth: int) -> None:
+        """Steps 1 and 2: evaluate the transition function of the current state; if the state differs, change.
 
-    def _tick(
-        self,
-        actor: Actor,
-        run: Run,
-        senses: Senses,
-        actions: list[Action],
-        depth: int,
-        taught: bool = False,
-        pick: str | None = None,
-    ) -> None:
-        """One tick of one behavior, recursing into what its current state holds (DESIGN section 3, steps 1 to 5)."""
-        if isinstance(run.behavior, BasicBehavior):
-            self._pulse(actor, run, senses, actions)
+        The automaton that the node runs directly draws number 0 of the tick, the one that its state holds number 1,
+        and so on.
+        """
+        automaton = run.behavior
+        if isinstance(automaton, BasicBehavior):
             return
-        if pick is not None:
-            self.enter(actor, run, pick)
-        elif not taught:
-            self._change(actor, run, senses, depth)
-        state = run.behavior.state(run.state)
-        if isinstance(state.content, RaiseFlag):
-            self._raise(run, state.content.flag)
-        elif run.child is not None:
-            self._tick(actor, run.child, senses, actions, depth + 1)
-            basic = run.child.behavior
-            if isinstance(basic, BasicBehavior) and basic.raises is not None:
-                self._raise(run, basic.raises)
-
-    def _change(self, actor: Actor, run: Run, senses: Senses, depth: int) -> None:
-        """Steps 1 and 2: evaluate the transition function of the current state; if the state differs, change."""
         outcome = self.outcome(actor, run, senses)
-        automaton = self._automaton(run)
         sampling = automaton.settings.sampling
-        new = choose(outcome, sampling, run.state, run.key, lambda: draw(self._key, self.now, actor.drawer, depth))
+        new = choose(
+            outcome, sampling, run.state, run.key, lambda: draw(self._key, self.now, actor.drawer, depth)
+        )
         run.key = outcome.key
         if new != run.state:
             if depth == 0 and self._leaving is not None:
@@ -239,7 +181,7 @@ class Machine:
 
     def outcome(self, actor: Actor, run: Run, senses: Senses) -> Outcome:
         """The distribution over next states of the automaton that *run* is."""
-        automaton = self._automaton(run)
+        automaton = _automaton(run)
         classifier = self._classifiers(actor.node.type, automaton, run.state)
         seen: dict[str, float] = {}
 
@@ -251,43 +193,81 @@ class Machine:
         return distribution(automaton, run.state, classifier, value)
 
     def enter(self, actor: Actor, run: Run, state_id: str) -> None:
-        """Stop what the current state runs and start what *state_id* holds, even if it is the same state."""
-        run.state, run.entered, run.key = state_id, self.now, None
-        content = self._automaton(run).state(state_id).content
-        run.child = self._start(actor, run, content)
+        """Stop what the current state runs and start what *state_id* holds, even if it is the same state.
 
-    def _start(self, actor: Actor, run: Run, content: object) -> Run | None:
-        match content:
+        Raises:
+            LibraryError: The automaton has no such state.
+        """
+        state = _state(_automaton(run), state_id)
+        actor.left |= run.directs()
+        child = self._start(actor, run, state)
+        run.state, run.entered, run.key, run.child = state_id, self.now, None, child
+
+    def _start(self, actor: Actor, run: Run, state: State) -> Run | None:
+        match state.content:
             case Basic(name, bindings):
                 basic = self.types.vocabulary(actor.node.type).behavior(name)
-                child = Run(basic, self._bind(actor, run, bindings), entered=self.now)
+                child = Run(basic, _bind(basic.parameters, bindings, actor, run, state), entered=self.now)
                 if basic.derived:
                     self._direct_subsidiaries(actor, name, child.arguments)
                 return child
             case Nested(automaton_id, bindings):
                 nested = self.types.library(actor.node.type).get(automaton_id)
-                return Run(nested, self._bind(actor, run, bindings), entered=self.now)
-        return None
+                return Run(nested, _bind(nested.parameters, bindings, actor, run, state), entered=self.now)
+            case _:
+                return None
 
-    def _raise(self, run: Run, flag: str) -> None:
-        """Step 4: raise a flag on the automaton and put it in Start within the same tick."""
-        run.flags.add(flag)
-        run.state, run.entered, run.key, run.child = START, self.now, None, None
+    def _perform(self, actor: Actor, run: Run, senses: Senses, depth: int) -> Action | None:
+        """Steps 3 and 4: pulse what the current state holds, recursing into automata; raise its flag, if it has one."""
+        if isinstance(run.behavior, BasicBehavior):
+            return self._pulse(actor, run, run.behavior, senses)
+        flag, action = None, None
+        if run.child is not None:
+            self._change_state(actor, run.child, senses, depth + 1)
+            action = self._perform(actor, run.child, senses, depth + 1)
+            held = run.child.behavior
+            flag = held.raises if isinstance(held, BasicBehavior) else None
+        elif isinstance(content := run.behavior.state(run.state).content, RaiseFlag):
+            flag = content.flag
+        if flag is not None:
+            run.flags.add(flag)
+            run.state, run.entered, run.key, run.child = START, self.now, None, None
+        return action
 
-    def _pulse(self, actor: Actor, run: Run, senses: Senses, actions: list[Action]) -> None:
-        """Pulse a basic behavior; one whose target has no referent idles."""
-        basic = run.behavior
-        assert isinstance(basic, BasicBehavior)
+    def _pulse(self, actor: Actor, run: Run, basic: BasicBehavior, senses: Senses) -> Action | None:
+        """Pulse a basic behavior.
+
+        One that runs once is pulsed once; a controller's own does nothing but direct, on entry. One whose target has
+        no referent idles, but the flags that it raises go up all the same, and a one-shot has had its pulse.
+        """
         if basic.derived or (run.pulsed and basic.runs_once):
-            return
+            return None
         run.pulsed = True
         if basic.finishes:
             actor.flags.add(FINISHED)
-        if basic.raises is not None and run is actor.run:
-            run.flags.add(basic.raises)
-        targets = tuple(self._resolve(run.arguments[p], actor.number, senses) for p in basic.parameters)
-        if NO_ENTITY not in targets:
-            actions.append(Action(actor.number, basic.name, targets))
+        if basic.raises is not None:
+            run.flags.add(basic.raises)  # for a controller that directed the agent to do just this
+        targets = self._resolve(run.arguments, basic.parameters, actor.number, senses)
+        return None if NO_ENTITY in targets else Action(actor.number, basic.name, targets)
+
+    # ------------------------------------------------------------------------------------------- picking
+
+    def _pick(self, actor: Actor, run: Run, state_id: str) -> None:
+        """Enter the state that the user picked; the current one just goes on, unless it runs once: that runs again."""
+        held = None if run.child is None else run.child.behavior
+        if state_id != run.state or (isinstance(held, BasicBehavior) and held.runs_once):
+            self.enter(actor, run, state_id)
+
+    def _refuse_bad_pick(self, node_id: str, state_id: str, still: frozenset[str]) -> None:
+        actor = self.actors.get(node_id)
+        if actor is None:
+            raise SessionError(f"there is no node {node_id!r} to pick {state_id!r} for")
+        if node_id in still or actor.run is None or isinstance(actor.run.behavior, BasicBehavior):
+            raise SessionError(f"{node_id!r} runs no automaton now, so {state_id!r} cannot be picked for it")
+        if not actor.run.behavior.has_state(state_id):
+            raise SessionError(
+                f"{state_id!r} cannot be picked for {node_id!r}: {_states(actor.run.behavior)}"
+            )
 
     # ---------------------------------------------------------------------------------------- directing
 
@@ -296,28 +276,35 @@ class Machine:
 
         Raises:
             SessionError: The node's type has no such behavior.
+            BindingError: One of the behavior's parameters has no argument.
         """
-        actor = self.actors[node_id]
+        actor, arguments = self.actors[node_id], arguments or {}
         repertoire = self.types.repertoire(actor.node.type)
         if behavior not in repertoire:
             allowed = ", ".join(sorted(repertoire)) or "none"
-            raise SessionError(f"{node_id!r} of type {actor.node.type!r} has no {behavior!r}; there are: {allowed}")
-        actor.flags.clear()
-        actor.run = Run(repertoire[behavior], arguments or {}, entered=self.now)
+            raise SessionError(
+                f"{node_id!r} of type {actor.node.type!r} has no {behavior!r}; there are: {allowed}"
+            )
         found = repertoire[behavior]
+        if missing := [slot for slot in found.parameters if slot not in arguments]:
+            raise BindingError(f"{missing[0]!r} of {behavior!r} is open: {node_id!r} needs a target for it")
+        actor.lower()
+        actor.left |= actor.run is not None and actor.run.directs()
+        actor.run = Run(found, arguments, entered=self.now)
         if isinstance(found, BasicBehavior) and found.derived:
-            self._direct_subsidiaries(actor, behavior, actor.run.arguments)
+            self._direct_subsidiaries(actor, behavior, arguments)
 
     def _direct_subsidiaries(self, actor: Actor, behavior: str, arguments: Arguments) -> None:
         actor.direction = (behavior, arguments)
-        for child in actor.node.children:
-            self.direct(child.id, behavior, arguments)
+        for child in actor.children:
+            self.direct(child.node.id, behavior, arguments)
 
     def join(self, node_id: str) -> None:
         """Let a node that comes under a controller start what that one last directed; idle if it directed nothing."""
         actor = self.actors[node_id]
         direction = self.actors[actor.parent].direction if actor.parent else None
         if direction is None:
+            actor.lower()
             actor.run = None
         else:
             self.direct(node_id, *direction)
@@ -326,64 +313,90 @@ class Machine:
 
     def value(self, actor: Actor, run: Run, use: FeatureUse, senses: Senses) -> float:
         """The value of one of the automaton's features, as the world and the flags are now."""
-        source = use.source
-        match source:
+        match use.source:
             case FlagUp(flag):
                 return float(run.child is not None and flag in run.child.flags)
             case TicksInState():
                 return float(self.now - run.entered)
-            case Statistic():
-                return self._statistic(actor, run, source, senses)
-            case Sense(name, _) if self.types.vocabulary(actor.node.type).feature(name).whose == "group":
-                return senses.group_feature(name, actor.members)
-            case Sense():
-                return self._sensed(actor, run, source, actor.number, senses)
+            case Statistic() as statistic:
+                return self._statistic(actor, run, use, statistic, senses)
+            case Sense(name, bindings):
+                feature = self.types.vocabulary(actor.node.type).feature(name)
+                if feature.whose == "group":
+                    return senses.group_feature(name, actor.members)
+                arguments = _bind(feature.parameters, bindings, actor, run, use)
+                return self._sensed(feature, arguments, actor.number, senses)
 
-    def _sensed(self, owner: Actor, run: Run, source: Sense, performer: int, senses: Senses) -> float:
-        feature = self._agent_features.feature(source.feature)
-        arguments = self._bind(owner, run, source.bindings)
-        targets = tuple(self._resolve(arguments[p], performer, senses) for p in feature.parameters)
-        return feature.default if NO_ENTITY in targets else senses.feature(source.feature, performer, targets)
-
-    def _statistic(self, actor: Actor, run: Run, source: Statistic, senses: Senses) -> float:
-        below = self._below(actor, source)
-        of = source.of
+    def _statistic(
+        self, actor: Actor, run: Run, use: FeatureUse, statistic: Statistic, senses: Senses
+    ) -> float:
+        below, of = self.below(actor, statistic), statistic.of
         if isinstance(of, FlagUp):
-            values = [float(of.flag in node.flags or (node.run is not None and of.flag in node.run.flags)) for node in below]
-        else:
-            values = [self._sensed(actor, run, of, node.number, senses) for node in below]
-        return summarize(source.operation, values, declaration(of, self._agent_features).default)
+            return summarize(statistic.operation, [float(node.shows(of.flag)) for node in below], 0.0)
+        feature = self._agent_features.feature(of.feature)
+        arguments = _bind(feature.parameters, of.bindings, actor, run, use)
+        values = [self._sensed(feature, arguments, node.number, senses) for node in below]
+        return summarize(statistic.operation, values, feature.default)
 
-    def _below(self, actor: Actor, source: Statistic) -> list[Actor]:
-        if source.over is Over.AGENTS:
-            return [self.actors[node.id] for node in actor.node.agents()]
-        direct = [self.actors[child.id] for child in actor.node.children]
-        return direct if isinstance(source.of, FlagUp) else [child for child in direct if child.is_agent]
+    def below(self, actor: Actor, statistic: Statistic) -> tuple[Actor, ...]:
+        """The nodes that a controller's statistic ranges over; an agent's ranges over nobody."""
+        if statistic.over is Over.AGENTS:
+            return actor.agents
+        if isinstance(statistic.of, FlagUp):
+            return actor.children
+        return tuple(node for node in actor.children if node.is_agent)
 
-    def _bind(self, actor: Actor, run: Run, bindings: Bindings) -> Arguments:
-        return {slot: self._argument(actor, run, binding) for slot, binding in bindings.items()}
+    def _sensed(self, feature: Feature, arguments: Arguments, performer: int, senses: Senses) -> float:
+        targets = self._resolve(arguments, feature.parameters, performer, senses)
+        return feature.default if NO_ENTITY in targets else senses.feature(feature.name, performer, targets)
 
-    def _argument(self, actor: Actor, run: Run, binding: Binding) -> Argument:
+    def _resolve(
+        self, arguments: Arguments, slots: Iterable[str], performer: int, senses: Senses
+    ) -> tuple[int, ...]:
+        """The entities that the arguments mean now, to an agent that performs, as bound by their owners."""
+        bound = [arguments[slot] for slot in slots]
+        return tuple([senses.target(a.target, self.actors[a.owner].members, performer) for a in bound])
+
+
+def _bind(
+    slots: Iterable[str], bindings: Bindings, actor: Actor, run: Run, place: State | FeatureUse
+) -> Arguments:
+    """What *slots* stand for in *place*, a state or feature of the automaton that *run* is."""
+    bound = {}
+    for slot in slots:
+        binding = bindings.get(slot)
         if isinstance(binding, Ground):
-            return Argument(binding.target, actor.node.id)
-        return run.arguments[binding.name]
-
-    def _resolve(self, argument: Argument, performer: int, senses: Senses) -> int:
-        return senses.target(argument.target, self.actors[argument.owner].members, performer)
-
-    @staticmethod
-    def _automaton(run: Run) -> Automaton:
-        assert isinstance(run.behavior, Automaton)
-        return run.behavior
+            bound[slot] = Argument(binding.target, actor.node.id)
+        elif binding is not None and binding.name in run.arguments:
+            bound[slot] = run.arguments[binding.name]
+        else:
+            raise _open(slot, binding, _automaton(run), place)
+    return bound
 
 
-def _actors(hierarchy: Hierarchy) -> dict[str, Actor]:
-    parents = hierarchy.parents()
-    numbers = {node.id: number for number, node in enumerate(hierarchy.agents())}
-    numbers |= {node.id: number for number, node in enumerate(hierarchy.controllers())}
-    actors = {}
-    for node in hierarchy.walk():
-        agents = [numbers[agent.id] for agent in node.agents()]
-        members = range(agents[0], agents[-1] + 1)
-        actors[node.id] = Actor(node, numbers[node.id], members, parents.get(node.id))
-    return actors
+def _open(
+    slot: str, binding: Parameter | None, automaton: Automaton, place: State | FeatureUse
+) -> BindingError:
+    what = f"state {place.name or place.id!r}" if isinstance(place, State) else f"feature {place.shown!r}"
+    if binding is None:
+        return BindingError(f"{slot!r} of {what} of {automaton.name!r} is open: pick a target or a parameter")
+    there = ", ".join(automaton.parameters) or "none"
+    return BindingError(
+        f"{slot!r} of {what} is bound to {binding.name!r}, which {automaton.name!r} has no argument for; "
+        f"its parameters are: {there}"
+    )
+
+
+def _automaton(run: Run) -> Automaton:
+    assert isinstance(run.behavior, Automaton)
+    return run.behavior
+
+
+def _state(automaton: Automaton, state_id: str) -> State:
+    if not automaton.has_state(state_id):
+        raise LibraryError(f"there is no state {state_id!r} to enter: {_states(automaton)}")
+    return automaton.state(state_id)
+
+
+def _states(automaton: Automaton) -> str:
+    return f"the states of {automaton.name!r} are: {', '.join(state.id for state in automaton.states)}"

@@ -30,7 +30,8 @@ class Outcome:
     Attributes:
         states: Ids in the order in which they are drawn; a state can come up more than once.
         probabilities: As many; they add up to 1.
-        key: What decided: the rules whose guards were met, and the leaf reached. `hold` compares it.
+        key: What decided: the rules whose guards were met, the leaf reached, and which labels are possible there: a
+            leaf that is pruned otherwise is another leaf. `hold` compares it.
     """
 
     states: tuple[str, ...]
@@ -59,7 +60,7 @@ def distribution(automaton: Automaton, state: str, classifier: Classifier | None
         allowed = pruned(decision.probabilities, classifier.labels, automaton.prunes_of(state), values)
         states += classifier.labels
         shares += [left * p for p in allowed]
-        met.append(decision.key)
+        met += [decision.key, tuple([p > 0.0 for p in allowed])]
         left = left if sum(allowed) == 0.0 else 0.0
     return Outcome((*states, state), (*shares, left), tuple(met))
 
@@ -78,7 +79,9 @@ def pruned(
     return [p / total for p in kept] if total > 0.0 else kept
 
 
-def choose(outcome: Outcome, sampling: Sampling, current: str, last_key: object, draw: Callable[[], float]) -> str:
+def choose(
+    outcome: Outcome, sampling: Sampling, current: str, last_key: object, draw: Callable[[], float]
+) -> str:
     """The next state.
 
     `argmax` takes the most probable state, the first of equals. `hold` draws only where *last_key*, what decided at

@@ -3,7 +3,7 @@
 A leaf predicts with the probabilities of its counts (the paper's "probabilistic leaf nodes").
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from .conditions import AtMost, Condition, Equals, InArc, Test, Values
@@ -102,7 +102,7 @@ class Forest:
         totals = [0.0] * len(self.labels)
         for decision in decisions:
             totals = [total + p for total, p in zip(totals, decision.probabilities, strict=True)]
-        probabilities = tuple(total / len(decisions) for total in totals)
+        probabilities = tuple(total / len(decisions) for total in totals) if decisions else tuple(totals)
         return Decision(tuple(number for d in decisions for number in d.key), probabilities)
 
 
@@ -146,22 +146,31 @@ class FlatTree:
 
 def flatten(tree: Tree) -> FlatTree:
     """*tree* as arrays; `unflatten` gives the same tree back."""
-    features = tree.features()
-    nodes = list(tree.nodes())
-    number = {id(node): index for index, node in enumerate(nodes)}
-    rows = [_row(node, features, number) for node in nodes]
-    slot, operation, a, b, yes, no = zip(*rows, strict=True)
-    return FlatTree(tree.labels, features, slot, operation, a, b, yes, no, tuple(node.counts for node in nodes))
+    features, nodes = tree.features(), tuple(tree.nodes())
+    below = _below(nodes)
+    slot, operation, a, b = zip(*(_row(node, features) for node in nodes), strict=True)
+    yes, no = zip(*below, strict=True)
+    return FlatTree(
+        tree.labels, features, slot, operation, a, b, yes, no, tuple(node.counts for node in nodes)
+    )
 
 
-def _row(
-    node: TreeNode, features: tuple[str, ...], number: Mapping[int, int]
-) -> tuple[int, str, float, float, int, int]:
+def _below(preorder: Sequence[TreeNode]) -> list[tuple[int, int]]:
+    """For each node the places of the nodes below it: yes comes next, no after all that is below yes."""
+    below = [(LEAF, LEAF)] * len(preorder)
+    waiting: list[int] = []  # roots of subtrees that are known in full, the leftmost last
+    for index in reversed(range(len(preorder))):
+        if isinstance(preorder[index], Branch):
+            yes, no = waiting.pop(), waiting.pop()
+            below[index] = (yes, no)
+        waiting.append(index)
+    return below
+
+
+def _row(node: TreeNode, features: tuple[str, ...]) -> tuple[int, str, float, float]:
     if isinstance(node, Leaf):
-        return LEAF, "", 0.0, 0.0, LEAF, LEAF
-    a, b = _numbers_of(node.test)
-    operation = _OPERATION_NAMES[type(node.test)]
-    return features.index(node.test.feature), operation, a, b, number[id(node.yes)], number[id(node.no)]
+        return LEAF, "", 0.0, 0.0
+    return features.index(node.test.feature), _OPERATION_NAMES[type(node.test)], *_numbers_of(node.test)
 
 
 def _numbers_of(test: Test) -> tuple[float, float]:
@@ -175,14 +184,22 @@ def _numbers_of(test: Test) -> tuple[float, float]:
 
 
 def unflatten(flat: FlatTree) -> Tree:
-    """The tree that *flat* describes; indices must point forward, as in preorder they do."""
+    """The tree that *flat* describes.
+
+    Raises:
+        ValueError: A node points backward, which in preorder none does, or to no node; or a test is unknown.
+    """
     built: dict[int, TreeNode] = {}
     for index in reversed(range(len(flat.slot))):
         if flat.slot[index] == LEAF:
             built[index] = Leaf(flat.counts[index])
         else:
-            test = _test(flat, index)
-            built[index] = Branch(test, built[flat.yes[index]], built[flat.no[index]], flat.counts[index])
+            yes, no = flat.yes[index], flat.no[index]
+            if yes not in built or no not in built:
+                raise ValueError(
+                    f"node {index} points to {yes} and {no}; allowed: {index + 1} to {len(flat.slot) - 1}"
+                )
+            built[index] = Branch(_test(flat, index), built[yes], built[no], flat.counts[index])
     return Tree(flat.labels, built[0])
 
 
