@@ -1,0 +1,79 @@
+"""Copying states with their authored transitions, within an automaton or into another."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from ..automaton import START, Automaton, Rule
+from ..conditions import Guard
+from ..features import FeatureUse
+from ..naming import next_number
+from ..project import Project
+from .features import add_feature
+from .place import change, find_automaton, find_feature
+from .states import add_state, refuse_states
+from .words import says
+
+#: An automaton by type and id.
+Where = tuple[str, str]
+
+
+@says("Copy states")
+def copy_states(
+    project: Project, source: Where, state_ids: Sequence[str], into: Where
+) -> tuple[Project, dict[str, str]]:
+    """Copies of states, last in *into*, with their rules; also returns the copies' ids by the originals'.
+
+    Rules that leave a copied state come along where their target does: among the copies, or in the same automaton.
+    Start among *state_ids* means the other Start. Features that the rules test are added where they are missing.
+    Learned transitions stay behind, since they belong to the examples; `author_learned` makes rules of them first.
+
+    Raises:
+        EditError: A state is missing, or holds an automaton that *into* may not hold.
+    """
+    original = find_automaton(project, *source)
+    find_automaton(project, *into)
+    refuse_states(original, state_ids)
+    copies: dict[str, str] = {}
+    for state in original.states:
+        if state.id in state_ids and state.id != START:
+            project, copies[state.id] = add_state(project, *into, state.content, state.name, state.note)
+    targets = {START: START} if source != into else {state.id: state.id for state in original.states}
+    targets |= copies
+    sources = {START: START, **copies} if START in state_ids else copies
+    rules = [
+        replace(rule, source=sources[rule.source], target=targets[rule.target])
+        for rule in original.rules
+        if rule.source in sources and rule.target in targets
+    ]
+    if source == into:  # rules of Start that lead to states that were not copied are there already
+        rules = [rule for rule in rules if rule.source != START or rule.target in copies.values()]
+    return _with_rules(project, original, rules, into), copies
+
+
+def _with_rules(project: Project, original: Automaton, rules: Sequence[Rule], into: Where) -> Project:
+    tested = dict.fromkeys(condition.test.feature for rule in rules for condition in rule.guard)
+    features = {}
+    for feature_id in tested:
+        project, features[feature_id] = _brought_along(project, find_feature(original, feature_id), into)
+    target = find_automaton(project, *into)
+    number = next_number(rule.id for rule in target.rules)
+    copied = tuple(
+        replace(rule, id=str(number + i), guard=_renamed(rule.guard, features))
+        for i, rule in enumerate(rules)
+    )
+    return change(project, *into, rules=(*target.rules, *copied))
+
+
+def _brought_along(project: Project, use: FeatureUse, into: Where) -> tuple[Project, str]:
+    """The id under which *into* looks at the same; the feature is added if it does not yet."""
+    for other in find_automaton(project, *into).features:
+        if other.source == use.source:
+            return project, other.id
+    return add_feature(project, *into, use.source, use.name)
+
+
+def _renamed(guard: Guard, features: Mapping[str, str]) -> Guard:
+    return tuple(
+        replace(condition, test=replace(condition.test, feature=features[condition.test.feature]))
+        for condition in guard
+    )
