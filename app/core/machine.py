@@ -3,9 +3,9 @@
 The machine knows nothing of any world. It asks `Senses` for features and targets and returns the basic behaviors that
 the agents are to perform; the world then lets them act.
 
-All features read the flags as they were when the tick began, although nodes tick one after the other: whoever reads a
-flag (the automaton above, or a controller) ticks before whoever raises it, and so do all whom a controller's new
-direction concerns, except those that only pass it on, and they evaluate nothing in that tick.
+All features read the flags as they were when the tick began, although nodes tick one after the other: all who can see a
+flag (the automaton above, the controllers above) have evaluated before it is raised or falls. The nodes between a
+controller and a flag that its direction lowers only pass the direction on; they evaluate nothing in that tick.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -14,15 +14,13 @@ from typing import Protocol
 
 from .actor import Actor, Argument, Arguments, Run, actors
 from .automaton import START, Automaton, Basic, Nested, RaiseFlag, State
+from .binding import bind
 from .chance import draw
 from .errors import BindingError, LibraryError, SessionError
 from .features import (
-    Bindings,
     FeatureUse,
     FlagUp,
-    Ground,
     Over,
-    Parameter,
     Sense,
     Statistic,
     TicksInState,
@@ -207,13 +205,13 @@ class Machine:
         match state.content:
             case Basic(name, bindings):
                 basic = self.types.vocabulary(actor.node.type).behavior(name)
-                child = Run(basic, _bind(basic.parameters, bindings, actor, run, state), entered=self.now)
+                child = Run(basic, bind(basic.parameters, bindings, actor, run, state), entered=self.now)
                 if basic.derived:
                     self._direct_subsidiaries(actor, name, child.arguments)
                 return child
             case Nested(automaton_id, bindings):
                 nested = self.types.library(actor.node.type).get(automaton_id)
-                return Run(nested, _bind(nested.parameters, bindings, actor, run, state), entered=self.now)
+                return Run(nested, bind(nested.parameters, bindings, actor, run, state), entered=self.now)
             case _:
                 return None
 
@@ -324,7 +322,7 @@ class Machine:
                 feature = self.types.vocabulary(actor.node.type).feature(name)
                 if feature.whose == "group":
                     return senses.group_feature(name, actor.members)
-                arguments = _bind(feature.parameters, bindings, actor, run, use)
+                arguments = bind(feature.parameters, bindings, actor, run, use)
                 return self._sensed(feature, arguments, actor.number, senses)
 
     def _statistic(
@@ -334,7 +332,7 @@ class Machine:
         if isinstance(of, FlagUp):
             return summarize(statistic.operation, [float(node.shows(of.flag)) for node in below], 0.0)
         feature = self._agent_features.feature(of.feature)
-        arguments = _bind(feature.parameters, of.bindings, actor, run, use)
+        arguments = bind(feature.parameters, of.bindings, actor, run, use)
         values = [self._sensed(feature, arguments, node.number, senses) for node in below]
         return summarize(statistic.operation, values, feature.default)
 
@@ -356,35 +354,6 @@ class Machine:
         """The entities that the arguments mean now, to an agent that performs, as bound by their owners."""
         bound = [arguments[slot] for slot in slots]
         return tuple([senses.target(a.target, self.actors[a.owner].members, performer) for a in bound])
-
-
-def _bind(
-    slots: Iterable[str], bindings: Bindings, actor: Actor, run: Run, place: State | FeatureUse
-) -> Arguments:
-    """What *slots* stand for in *place*, a state or feature of the automaton that *run* is."""
-    bound = {}
-    for slot in slots:
-        binding = bindings.get(slot)
-        if isinstance(binding, Ground):
-            bound[slot] = Argument(binding.target, actor.node.id)
-        elif binding is not None and binding.name in run.arguments:
-            bound[slot] = run.arguments[binding.name]
-        else:
-            raise _open(slot, binding, _automaton(run), place)
-    return bound
-
-
-def _open(
-    slot: str, binding: Parameter | None, automaton: Automaton, place: State | FeatureUse
-) -> BindingError:
-    what = f"state {place.name or place.id!r}" if isinstance(place, State) else f"feature {place.shown!r}"
-    if binding is None:
-        return BindingError(f"{slot!r} of {what} of {automaton.name!r} is open: pick a target or a parameter")
-    there = ", ".join(automaton.parameters) or "none"
-    return BindingError(
-        f"{slot!r} of {what} is bound to {binding.name!r}, which {automaton.name!r} has no argument for; "
-        f"its parameters are: {there}"
-    )
 
 
 def _automaton(run: Run) -> Automaton:
