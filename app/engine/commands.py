@@ -1,0 +1,142 @@
+"""What can be asked of a session: frozen values, sent with a ticket each."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from ..core.automaton import Content
+from ..core.project import Project, Value
+
+
+class Others(StrEnum):
+    """What the nodes that are not taught do meanwhile."""
+
+    IDLE = "idle"
+    RUN = "run"
+
+
+@dataclass(frozen=True, slots=True)
+class UseProject:
+    """Go on with a newer value of the project; running nodes keep their places in it as far as they still exist."""
+
+    project: Project
+
+
+@dataclass(frozen=True, slots=True)
+class UseArm:
+    """Begin again with another arm.
+
+    Attributes:
+        settings: As in `app.engine.runs.treatment`.
+    """
+
+    arm: str
+    settings: Mapping[str, Value] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Reset:
+    """Begin the world again; None keeps the seed."""
+
+    seed: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RunArm:
+    """Let every root run the arm's top behavior; nobody is taught."""
+
+
+@dataclass(frozen=True, slots=True)
+class Teach:
+    """Take nodes into training mode for one automaton.
+
+    Attributes:
+        nodes: One or several of the automaton's type, taught in turn.
+        arguments: Ground targets for the automaton's parameters meanwhile.
+        demonstration: What the examples are filed under.
+    """
+
+    type: str
+    automaton: str
+    nodes: tuple[str, ...]
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    others: Others = Others.IDLE
+    demonstration: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Pick:
+    """The user picks what a node is to do from the next tick on.
+
+    Attributes:
+        choice: The id of a state, or what a state is to hold; a state is added where the automaton lacks it.
+    """
+
+    node: str
+    choice: str | Content
+
+
+@dataclass(frozen=True, slots=True)
+class ShouldNotHaveLeft:
+    """The state that a node left by itself last, it should have stayed in."""
+
+    node: str
+
+
+@dataclass(frozen=True, slots=True)
+class UndoPick:
+    """Take back the last pick of this lesson."""
+
+
+@dataclass(frozen=True, slots=True)
+class Test:
+    """Learn what was taught, then let all nodes of the type run it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Play:
+    """Let time pass.
+
+    Attributes:
+        speed: 1 is 60 ticks a second; None goes as fast as it can.
+    """
+
+    speed: float | None = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Pause:
+    """Stop time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Pass some ticks, then pause."""
+
+    ticks: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class MoveEntity:
+    """Put an agent or another entity somewhere else, in world units."""
+
+    entity: int
+    x: float
+    y: float
+
+
+Command = (
+    UseProject
+    | UseArm
+    | Reset
+    | RunArm
+    | Teach
+    | Pick
+    | ShouldNotHaveLeft
+    | UndoPick
+    | Test
+    | Play
+    | Pause
+    | Step
+    | MoveEntity
+)
