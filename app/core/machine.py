@@ -103,7 +103,7 @@ class Machine:
         """
         self.now = 0
         self.actors = actors(hierarchy)
-        self._key = key
+        self.key = key
         self._leaving = leaving
         self.use(types, classifiers)
 
@@ -169,7 +169,7 @@ class Machine:
         outcome = self.outcome(actor, run, senses)
         sampling = automaton.settings.sampling
         new = choose(
-            outcome, sampling, run.state, run.key, lambda: draw(self._key, self.now, actor.drawer, depth)
+            outcome, sampling, run.state, run.key, lambda: draw(self.key, self.now, actor.drawer, depth)
         )
         run.key = outcome.key
         if new != run.state:
