@@ -1,0 +1,375 @@
+"""The form of each kind of file, as pydantic records: what `convert` makes of values, and what JSON must look like.
+
+Keys with a default are left out where they hold it.
+"""
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from ..automaton import START, Sampling
+from ..features import Operation, Over
+from .fields import (
+    Complaint,
+    Count,
+    FileName,
+    MomentHash,
+    Name,
+    Probability,
+    Record,
+    Scalar,
+    TypeName,
+    Weight,
+    Whole,
+    doubles,
+    refuse,
+)
+from .tree_schema import ForestRecord, TreeRecord
+
+# ------------------------------------------------------------------------------------------------------- features
+
+
+class BindingRecord(Record):
+    """What a slot is bound to: ``{"ground": TARGET}`` or ``{"parameter": NAME}``."""
+
+    ground: str | None = None
+    parameter: str | None = None
+
+    @model_validator(mode="after")
+    def _one_of_two(self) -> Self:
+        if (self.ground is None) == (self.parameter is None):
+            refuse([((), None, "must have either the key 'ground' or the key 'parameter'")])
+        return self
+
+
+BindingRecords = dict[Name, BindingRecord]
+
+
+class SenseRecord(Record):
+    """A feature that the scenario declares."""
+
+    kind: Literal["sense"]
+    feature: Name
+    bindings: BindingRecords = {}
+
+
+class FlagUpRecord(Record):
+    """Whether the current sub-behavior has a flag up."""
+
+    kind: Literal["flag"]
+    flag: Name
+
+
+class TicksInStateRecord(Record):
+    """Ticks since the current state was entered."""
+
+    kind: Literal["ticks in state"]
+
+
+class StatisticRecord(Record):
+    """A feature or flag summed up over nodes below."""
+
+    kind: Literal["statistic"]
+    operation: Annotated[Operation, Field(strict=False)]
+    of: Annotated[SenseRecord | FlagUpRecord, Field(discriminator="kind")]
+    over: Annotated[Over, Field(strict=False)] = Over.AGENTS
+
+
+class FeatureUseRecord(Record):
+    """One feature of one automaton."""
+
+    id: Name
+    source: Annotated[
+        SenseRecord | FlagUpRecord | TicksInStateRecord | StatisticRecord, Field(discriminator="kind")
+    ]
+    name: str = ""
+
+
+# ----------------------------------------------------------------------------------------------------- conditions
+
+
+class AtMostRecord(Record):
+    """A continuous feature is at most *threshold*; the contrary where *wanted* is false, as in all conditions."""
+
+    kind: Literal["at most"]
+    feature: Name
+    threshold: float
+    wanted: bool = True
+
+
+class EqualsRecord(Record):
+    """A boolean or categorical feature has this value."""
+
+    kind: Literal["equals"]
+    feature: Name
+    value: float
+    wanted: bool = True
+
+
+class InArcRecord(Record):
+    """A toroidal feature lies in the arc from *start* up to *end*."""
+
+    kind: Literal["in arc"]
+    feature: Name
+    start: float
+    end: float
+    wanted: bool = True
+
+
+GuardRecord = list[Annotated[AtMostRecord | EqualsRecord | InArcRecord, Field(discriminator="kind")]]
+
+
+# ------------------------------------------------------------------------------------------------------- automata
+
+
+class StartRecord(Record):
+    """The start state's content."""
+
+    kind: Literal["start"]
+
+
+class BasicRecord(Record):
+    """A basic behavior by name."""
+
+    kind: Literal["basic"]
+    behavior: Name
+    bindings: BindingRecords = {}
+
+
+class NestedRecord(Record):
+    """Another automaton by id."""
+
+    kind: Literal["automaton"]
+    automaton: Name
+    bindings: BindingRecords = {}
+
+
+class RaiseFlagRecord(Record):
+    """A flag state."""
+
+    kind: Literal["flag"]
+    flag: Name
+
+
+class StateRecord(Record):
+    """One state."""
+
+    id: Name
+    content: Annotated[
+        StartRecord | BasicRecord | NestedRecord | RaiseFlagRecord, Field(discriminator="kind")
+    ]
+    name: str = ""
+    note: str = ""
+
+
+class RuleRecord(Record):
+    """An authored transition."""
+
+    id: Name
+    source: Name
+    guard: GuardRecord = []
+    target: Name
+    probability: Probability = 1.0
+
+
+class PruneRecord(Record):
+    """Labels that the learned model may not choose."""
+
+    id: Name
+    source: Name
+    guard: GuardRecord = []
+    forbidden: list[Name]
+
+
+class SettingsRecord(Record):
+    """How an automaton learns and samples."""
+
+    classifier: Name = "c45"
+    sampling: Annotated[Sampling, Field(strict=False)] = Sampling.SAMPLE
+    pruning_confidence: Annotated[float, Field(gt=0, le=0.5)] | None = None
+    options: dict[str, float] = {}
+
+
+class RefitRecord(Record):
+    """A learned model that is fitted again on load."""
+
+    kind: Literal["refit"]
+    classifier: Name
+
+
+ModelRecord = Annotated[TreeRecord | ForestRecord | RefitRecord, Field(discriminator="kind")]
+
+
+class AutomatonRecord(Record):
+    """``libraries/TYPE/ID.json``: a behavior that is an automaton."""
+
+    id: FileName
+    name: str
+    parameters: list[Name] = []
+    states: Annotated[list[StateRecord], Field(min_length=1)]
+    features: list[FeatureUseRecord] = []
+    rules: list[RuleRecord] = []
+    learned: dict[Name, ModelRecord] = {}
+    learned_from: str = ""
+    prunes: list[PruneRecord] = []
+    settings: SettingsRecord = SettingsRecord()
+    note: str = ""
+
+    @model_validator(mode="after")
+    def _ids_are_unique(self) -> Self:
+        complaints = doubles("parameters", self.parameters, within="")
+        for name, items in (
+            ("states", self.states),
+            ("features", self.features),
+            ("rules", self.rules),
+            ("prunes", self.prunes),
+        ):
+            complaints += doubles(name, [item.id for item in items])
+        refuse([*complaints, *_start_is_first(self.states)])
+        return self
+
+
+def _start_is_first(states: list[StateRecord]) -> list[Complaint]:
+    complaints: list[Complaint] = []
+    for index, state in enumerate(states):
+        if (state.id == START) != (index == 0):
+            message = f"the first state, and no other, must have the id {START!r}, but found {state.id!r}"
+            complaints.append((("states", index, "id"), state.id, message))
+        if (state.content.kind == "start") != (index == 0):
+            message = f"the first state, and no other, must be of the kind 'start', but found {state.content.kind!r}"
+            complaints.append((("states", index, "content"), state.content.kind, message))
+    return complaints
+
+
+# ------------------------------------------------------------------------------------- examples and demonstrations
+
+
+class ExampleRecord(Record):
+    """What one pick recorded."""
+
+    id: Name
+    source: Name
+    label: Name
+    values: dict[Name, float]
+    continuation: bool = False
+    enabled: bool = True
+    weight: Weight = 1.0
+    demonstration: str = ""
+    tick: Count = 0
+    node: str = ""
+    snapshot: MomentHash = ""
+    pick: Count = 0
+
+
+class ExamplesRecord(Record):
+    """``examples/TYPE/ID.json``: the examples of one automaton, in the order in which they were recorded."""
+
+    automaton: FileName
+    examples: list[ExampleRecord]
+
+    @model_validator(mode="after")
+    def _ids_are_unique(self) -> Self:
+        refuse(doubles("examples", [example.id for example in self.examples]))
+        return self
+
+
+class PickRecord(Record):
+    """One act of a demonstrator's hand."""
+
+    tick: Count
+    node: Name
+    state: str = ""
+    act: Literal["pick", "should not have left", "undo", "test", "teach"] = "pick"
+
+
+class DemonstrationRecord(Record):
+    """``demonstrations/ID.json``: what a person's hand did."""
+
+    id: FileName
+    type: Name
+    automaton: Name
+    arm: str
+    seed: Whole
+    picks: list[PickRecord]
+    ticks: Count
+    parameters: dict[Name, Scalar] = {}
+    arguments: dict[Name, Name] = {}
+    others: Literal["idle", "run"] = "idle"
+    note: str = ""
+
+
+# -------------------------------------------------------------------------------------------------------- project
+
+
+class NodeTypeRecord(Record):
+    """A kind of node with a library of its own."""
+
+    name: TypeName
+    level: Count = 0
+    subsidiaries: list[Name] = []
+
+
+class TableRecord(Record):
+    """A regular forest: sizes and types from the roots down."""
+
+    kind: Literal["table"]
+    sizes: Annotated[list[Annotated[int, Field(ge=1, le=2**31)]], Field(min_length=1)]
+    types: list[Name]
+
+    @model_validator(mode="after")
+    def _as_many_types_as_sizes(self) -> Self:
+        if len(self.types) != len(self.sizes):
+            message = f"{len(self.sizes)} sizes need as many types, but there are {len(self.types)}"
+            refuse([(("types",), self.types, message)])
+        return self
+
+
+class NodeRecord(Record):
+    """An agent or a controller."""
+
+    id: Name
+    type: Name
+    children: list["NodeRecord"] = []
+    name: str = ""
+
+
+class NodesRecord(Record):
+    """A forest in full."""
+
+    kind: Literal["forest"]
+    roots: list[NodeRecord]
+
+
+class ArmRecord(Record):
+    """One treatment."""
+
+    name: Name
+    hierarchy: Annotated[TableRecord | NodesRecord, Field(discriminator="kind")]
+    top: str
+    world: str = ""
+    parameters: dict[Name, Scalar] = {}
+    note: str = ""
+
+
+class ProjectRecord(Record):
+    """``project.json``: what holds for the project as a whole, and the order of its demonstrations."""
+
+    schema_version: int
+    name: str
+    scenario: Name
+    types: list[NodeTypeRecord]
+    worlds: dict[str, dict[Name, Scalar]] = {}
+    arms: list[ArmRecord] = []
+    demonstrations: list[FileName] = []
+    note: str = ""
+
+    @model_validator(mode="after")
+    def _names_are_unique(self) -> Self:
+        refuse(
+            [
+                *doubles("types", [node_type.name for node_type in self.types], within="name"),
+                *doubles("arms", [arm.name for arm in self.arms], within="name"),
+                *doubles("demonstrations", self.demonstrations, within=""),
+            ]
+        )
+        return self
