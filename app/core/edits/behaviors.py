@@ -11,6 +11,7 @@ from ..project import Project
 from ..vocabulary import BasicBehavior
 from .bindings import map_bindings, parameter_uses, renamed_parameter
 from .calls import Call, change_calls, refuse_shared, starting, users
+from .moments import without_stray_moments
 from .place import (
     change,
     find_automaton,
@@ -19,7 +20,6 @@ from .place import (
     with_automaton,
     with_examples,
     with_library,
-    without_stray_moments,
 )
 from .recursion import refuse_recursion
 from .words import says

@@ -12,7 +12,8 @@ from ..errors import EditError
 from ..examples import Example, Moment
 from ..naming import next_number
 from ..project import Project
-from .place import change, find_automaton, listed, with_examples, without_stray_moments
+from .moments import with_moments, without_stray_moments
+from .place import change, find_automaton, listed, with_examples
 from .recursion import refuse_recursion
 from .states import refuse_content, refuse_states, remove_state
 from .words import says
@@ -67,7 +68,7 @@ def record_pick(project: Project, recorded: Recorded) -> Project:
     before = project.examples_of(*where)
     new = _numbered(before, recorded.examples)
     _refuse_examples(automaton, new)
-    return _with_moments(with_examples(project, *where, (*before, *new)), recorded.moments)
+    return with_moments(with_examples(project, *where, (*before, *new)), recorded.moments)
 
 
 def _with_state(automaton: Automaton, state: State) -> Automaton:
@@ -89,11 +90,6 @@ def _numbered(before: Iterable[Example], new: Iterable[Example]) -> tuple[Exampl
         taken.add(kept.id)
         numbered.append(kept)
     return tuple(numbered)
-
-
-def _with_moments(project: Project, moments: Mapping[str, Moment]) -> Project:
-    new = {key: moment for key, moment in moments.items() if key not in project.moments}
-    return replace(project, moments={**project.moments, **new}) if new else project
 
 
 @says("Take back {recorded}")
@@ -138,7 +134,7 @@ def replace_examples(
     numbered = _numbered((), examples)
     _refuse_examples(automaton, numbered)
     project = with_examples(project, type_name, automaton_id, numbered)
-    return without_stray_moments(_with_moments(project, moments))
+    return without_stray_moments(with_moments(project, moments))
 
 
 @says("Forget the examples of {automaton_id}")

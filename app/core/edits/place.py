@@ -103,16 +103,6 @@ def with_examples(
     return replace(project, examples=by_type)
 
 
-def without_stray_moments(project: Project) -> Project:
-    """*project* without the moments that no example refers to."""
-    used = {
-        e.snapshot for by_id in project.examples.values() for examples in by_id.values() for e in examples
-    }
-    if used.issuperset(project.moments):
-        return project
-    return replace(project, moments={key: m for key, m in project.moments.items() if key in used})
-
-
 def moved(items: tuple[Any, ...], index: int, to: int) -> tuple[Any, ...]:
     """*items* with the one at *index* taken out and put in at *to*, which is cut to the range there is."""
     rest = [*items[:index], *items[index + 1 :]]
