@@ -50,7 +50,8 @@ class Pick:
     """One act of a demonstrator's hand: before *tick*, on *node*.
 
     Attributes:
-        act: ``pick`` a state, ``should not have left`` the state just left, ``undo`` the last pick, ``test``, ``teach``.
+        act: ``pick`` a state; ``should not have left`` the state just left; ``undo`` the last pick; ``test``; or ``teach``
+            the node from this tick on (those of one tick together; the arm runs until then).
         state: For ``pick``: the id of the state. Empty otherwise.
     """
 

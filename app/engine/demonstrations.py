@@ -1,6 +1,7 @@
 """Playing stored demonstrations through the teaching session: the same hand, the same examples, byte for byte."""
 
 from collections.abc import Callable, Collection
+from itertools import groupby
 
 from ..core.edits.examples import replace_examples
 from ..core.errors import SessionError
@@ -25,19 +26,38 @@ def play(project: Project, scenario: Scenario, demonstration: Demonstration) -> 
     session = Session(project, scenario, demonstration.arm, demonstration.seed)
     settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
     _send(session, UseArm(demonstration.arm, settings), demonstration)
-    _send(session, teach(demonstration), demonstration)
-    for pick in demonstration.picks:
-        _until(session, pick.tick, demonstration)
-        _send(session, command(pick), demonstration)
+    for tick, command in commands(demonstration):
+        _until(session, tick, demonstration)
+        _send(session, command, demonstration)
         session.settle()
     _until(session, demonstration.ticks, demonstration)
     session.close()
     return session.project
 
 
-def teach(demonstration: Demonstration) -> Teach:
-    """The command that a demonstration begins with."""
-    nodes = tuple(dict.fromkeys(pick.node for pick in demonstration.picks if pick.node))
+def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
+    """What to send before which tick.
+
+    Nodes are taken into training mode by acts ``teach``, those of one tick together; a demonstration without any begins
+    with all nodes that it picks for.
+
+    Raises:
+        SessionError: There is no such act.
+    """
+    acts = list(demonstration.picks)
+    if not any(act.act == "teach" for act in acts):
+        nodes = dict.fromkeys(act.node for act in acts if act.node)
+        acts = [*(Pick(0, node, act="teach") for node in nodes), *acts]
+    found: list[tuple[int, Command]] = []
+    for (tick, kind), group in groupby(acts, key=lambda act: (act.tick, act.act)):
+        if kind == "teach":
+            found.append((tick, _teach(demonstration, tuple(act.node for act in group))))
+        else:
+            found += [(tick, _command(act)) for act in group]
+    return found
+
+
+def _teach(demonstration: Demonstration, nodes: tuple[str, ...]) -> Teach:
     return Teach(
         demonstration.type,
         demonstration.automaton,
@@ -48,22 +68,17 @@ def teach(demonstration: Demonstration) -> Teach:
     )
 
 
-def command(pick: Pick) -> Command:
-    """The command that an act of a demonstration stands for.
-
-    Raises:
-        SessionError: There is no such act.
-    """
-    match pick.act:
+def _command(act: Pick) -> Command:
+    match act.act:
         case "pick":
-            return PickCommand(pick.node, pick.state)
+            return PickCommand(act.node, act.state)
         case "should not have left":
-            return ShouldNotHaveLeft(pick.node)
+            return ShouldNotHaveLeft(act.node)
         case "undo":
             return UndoPick()
         case "test":
             return Test()
-    raise SessionError(f"{pick.act!r} is no act; allowed: pick, should not have left, undo, test")
+    raise SessionError(f"{act.act!r} is no act; allowed: pick, should not have left, undo, test, teach")
 
 
 def recreate(
