@@ -1,16 +1,17 @@
 """The plain-Python engine: slow, obvious, and the specification of every other one (DESIGN section 6)."""
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from typing import Any
 
-from ..core.chance import world_key
 from ..core.errors import ScenarioError
 from ..core.machine import Action, Classifiers, Leaving, Machine, stored_classifiers
 from ..core.machine_state import thaw as thaw_machine
 from .engine import FREE, Control, Start
+from .failure import failed
 from .scenario import World
-from .sensing import WorldSenses, raised
-from .world import TICK, FrozenWorld, freeze, new_world, spans, thaw
+from .sensing import WorldSenses
+from .world import KEY, TICK, FrozenWorld, freeze, new_world, spans, thaw
 
 
 class ReferenceEngine:
@@ -23,15 +24,11 @@ class ReferenceEngine:
             raise ScenarioError(f"there is no physics {start.physics!r}; there is: kinematic")
         self.start = start
         self._scenario = start.scenario
-        try:
-            self.world: World = new_world(
-                start.scenario, start.parameters, start.hierarchy, start.seed, start.world
-            )
-        except Exception as error:
-            raise raised(start.scenario, "reset", error) from error
+        self.world: World = new_world(
+            start.scenario, start.parameters, start.hierarchy, start.seed, start.world
+        )
         self.senses = WorldSenses(start.scenario, self.world)
-        key = world_key(start.seed, start.world)
-        self.machine = Machine(start.hierarchy, start.types, key, classifiers, leaving)
+        self.machine = Machine(start.hierarchy, start.types, self.world.clock[KEY], classifiers, leaving)
         if start.top:
             for root in start.hierarchy.roots:
                 self.machine.direct(root.id, start.top, start.arguments)
@@ -56,18 +53,20 @@ class ReferenceEngine:
         self.world.drive[:agents] = [0.0] * agents
         self.world.turn[:agents] = [0.0] * agents
         for action in actions:
+            function = self._scenario.behaviors[action.behavior]
             try:
-                self._scenario.behaviors[action.behavior](self.world, action.agent, *action.targets)
+                function(self.world, action.agent, *action.targets)
             except Exception as error:
-                raise raised(self._scenario, f"behavior {action.behavior!r}", error) from error
+                what = f"behavior {action.behavior!r}"
+                raise failed(self._scenario.name, what, function, error) from error
 
-    def _stage(self, name: str) -> None:
+    def _stage(self, name: str, *arguments: float) -> None:
         stage = self._scenario.stages.get(name)
         if stage is not None:
             try:
-                stage(self.world)
+                stage(self.world, *arguments)
             except Exception as error:
-                raise raised(self._scenario, name, error) from error
+                raise failed(self._scenario.name, name, stage, error) from error
 
     def frozen_world(self) -> FrozenWorld:
         """A copy of the world."""
@@ -76,18 +75,24 @@ class ReferenceEngine:
     def restore(
         self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, Any]
     ) -> None:
-        """Go back to a copied world, and to what all nodes did then."""
+        """Go back to a copied world, and to what all nodes did then; chance goes on as it did there."""
         thaw(self.world, world, self._scenario)
+        self.machine.key = self.world.clock[KEY]
         thaw_machine(self.machine, machine)
 
     def move(self, entity: int, x: float, y: float) -> None:
-        """Put an entity somewhere else, in world units."""
+        """Put an entity somewhere else, in world units, as far as the scenario allows."""
         if not 0 <= entity < len(self.world.x):
             kinds = ", ".join(
                 f"{kind} {span.start} to {span.stop - 1}" for kind, span in self.spans().items() if span
             )
             raise ScenarioError(f"there is no entity {entity}; there are: {kinds}")
-        self.world.x[entity], self.world.y[entity] = float(x), float(y)
+        if not (isfinite(x) and isfinite(y)):
+            raise ScenarioError(f"an entity cannot be put at ({x}, {y}); allowed: finite numbers")
+        if "moved" in self._scenario.stages:
+            self._stage("moved", entity, float(x), float(y))
+        else:
+            self.world.x[entity], self.world.y[entity] = float(x), float(y)
 
     def spans(self) -> Mapping[str, range]:
         """The entities of each kind."""

@@ -1,30 +1,101 @@
-"""The contract between a scenario and the engines that run it.
+'''The contract between a scenario and the engines that run it: the manual of scenario authors.
 
-A scenario is one Python module. It makes a `Scenario`, declares its parameters, kinds of entities, columns and measures,
-and decorates plain functions. Every function gets the world first and reads and writes columns by entity:
-``world.x[me]``. The reference engine calls the functions as they are; the compiled kernel calls the same functions
-compiled, so they keep to numbers, `math`, loops, and `uniform`. What differs between the two is not to be used: hypot,
-``**`` with whole powers, fmod, negative indices, whole numbers beyond 63 bits. A project's own scenario imports all it
-needs from here: ``from understudy.sim.scenario import Scenario, uniform, ...``.
+A scenario is one Python module. It declares parameters, kinds of entities, columns and measures, and decorates plain
+functions. One that ships with Understudy is a file in ``app/sim/scenarios``; a project brings its own as
+``scenario.py`` in its folder, says ``"scenario": "scenario.py"``, and imports all it needs from here. A whole one::
 
-The world has, besides the declared columns:
+    from dataclasses import dataclass
+    from understudy.sim.scenario import FeatureKind, Scenario, World, quantity, uniform
 
-* ``x``, ``y`` (world units) and ``heading`` (radians in [-pi, pi)) of every entity; agents come first.
+    @dataclass(frozen=True, slots=True)
+    class Parameters:
+        """What can be set."""
+
+        length: float = quantity(100.0, "units", 1.0, 1e6, doc="the line that agents live on")
+
+    scenario = Scenario("line", "On a line", Parameters, doc="Agents walk up and down a line.")
+
+    @scenario.feature("Place", FeatureKind.CONTINUOUS, unit="units")
+    def place(world: World, me: int) -> float:
+        """Where on the line the agent is."""
+        return world.x[me]
+
+    @scenario.behavior("Up")
+    def up(world: World, me: int) -> None:
+        """Walk on."""
+        world.drive[me] = 1.0
+
+    @scenario.reset
+    def reset(world: World) -> None:
+        """Put all agents somewhere on the line."""
+        for agent in range(world.agents):
+            world.x[agent] = uniform(world.clock, agent, 0) * world.params.length
+
+    @scenario.kinematics
+    def move(world: World) -> None:
+        """Walk, as far as the line goes."""
+        for agent in range(world.agents):
+            world.x[agent] = min(world.x[agent] + world.drive[agent], world.params.length)
+
+**What can be declared.** Each declaration names its functions' arguments. *me*, *target* and what a target function
+returns are entities: agents come first, numbered from 0, then each kind in its order.
+
+=================  =========================================  ==========================================================
+``feature``        ``(world, me, *targets) -> float``         what an agent sees; one target for each parameter
+``group_feature``  ``(world, first, end) -> float``           what a controller sees of its agents, see ``members``
+``behavior``       ``(world, me, *targets)``                  what an agent does in one tick
+``target``         ``(world, first, end, me) -> int``         whom a name means: an entity, or `NO_ENTITY`
+``reset``          ``(world)``                                how a world begins; every scenario has one
+``resolve``        ``(world)``                                who wins where acts conflict
+``kinematics``     ``(world)``                                how things move without contact
+``after_tick``     ``(world)``                                what happens at the end of a tick; counting
+``moved``          ``(world, entity, x, y)``                  what follows when a user drags an entity there
+``check``          ``(parameters) -> str``                    what is wrong with the parameters together; empty: nothing
+=================  =========================================  ==========================================================
+
+**The world** has, besides the declared columns:
+
+* ``x``, ``y`` (world units) and ``heading`` (radians in [-pi, pi)) of every entity.
 * ``drive`` (units per tick) and ``turn`` (radians per tick): what agents want of the physics; zeroed every tick.
-* ``group_size``: the agents in the level-1 group that an agent belongs to, itself included.
+* ``group_size``: the agents in the level-1 group that an agent belongs to, itself included; 1 if it is in none.
 * ``members``: agents ordered so that every controller's are ``members[k] for k in range(first, end)``.
 * ``clock``: (seed, world, tick, key); ``progressed[0]``: the tick of the last progress, set by the scenario.
 * ``agents``: how many agents; ``first_KIND`` and ``end_KIND``: the entities of each other kind.
-* ``params``: the parameters, by name.
+* ``params``: the parameters, by name; a word is its place among the choices.
 
-One tick: sense and decide (features and targets read the world as it was when the tick began), act (behaviors write
-only the acting agent's own entries), resolve (conflicting acts), physics, after-tick rules.
-"""
+A column has an entry for every entity (``world.x[me]``), or a single one (``world.boxes[0]``). All that a scenario
+remembers is in columns: a world can be stored, gone back to, and stepped by any engine.
 
-from collections.abc import Callable, Mapping
-from dataclasses import MISSING, Field, dataclass, field, fields
-from enum import StrEnum
-from math import isfinite, pi
+**One tick.** All nodes sense and decide; features and targets read the world as it was when the tick began, and write
+nothing. Then agents act: a behavior writes entries of the acting agent alone, and reads nothing that another's behavior
+writes, so that the order of acting does not matter; what agents want of each other is settled in ``resolve``. Then
+``resolve``, physics, ``after_tick``. A behavior with ``one_shot`` or ``raises`` runs once; one with ``raises`` raises
+that flag. A target that means nobody gives features their default and makes behaviors idle: no function is called.
+
+**Values.** A boolean feature is 0.0 or 1.0, a categorical one the place of its category, a toroidal one lies in
+[-period/2, period/2). NaN and infinity are errors.
+
+**Chance** is ``uniform(world.clock, who, number)``, in [0, 1): *who* is the agent that draws or `THE_WORLD`; *number*
+tells several draws of one drawer in one tick apart. The same three give the same number again, in every engine.
+
+**What functions may use.** Engines call these very functions, as they are or compiled, and have to come to the same
+numbers. So they keep to numbers, ``if``, ``for`` over ``range``, ``while``, ``abs``, ``min``, ``max``, ``round``,
+``int``, ``float``, the functions of `math`, `uniform`, constants, and functions of the same sort. Not allowed:
+
+* ``hypot``, ``fmod`` and ``**``, which round differently when compiled: write ``sqrt(dx * dx + dy * dy)``;
+* negative indices, ``len`` of a column, whole numbers beyond 63 bits, fractions in columns of whole numbers;
+* lists, dicts, strings, ``None``, exceptions, classes, nested functions, other modules, other randomness, clocks;
+* variables of the module that change: state is in columns, and nowhere else.
+
+`app.sim.portable` finds most of this by reading, `app.sim.trial` the rest of what is promised here by trying.
+'''
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import Field, replace
+from inspect import signature
+from math import pi
+from types import FunctionType
 from typing import Any, TypeVar
 
 from ..core.chance import THE_WORLD, uniform
@@ -41,11 +112,17 @@ from ..core.vocabulary import (
     Target,
     Vocabulary,
 )
+from .columns import STANDARD_COLUMNS, Column, Kind, Per, refuse_bad_columns, refuse_bad_kinds
+from .failure import failed
+from .geometry import clamped, distance, wrapped
+from .parameters import checked, default, parameter_fields, quantity
+from .ranges import refuse_bad_feature
 
 __all__ = [
     "DONE",
     "FAILED",
     "NO_ENTITY",
+    "STANDARD_COLUMNS",
     "THE_WORLD",
     "Column",
     "FeatureKind",
@@ -54,8 +131,11 @@ __all__ = [
     "Phrases",
     "Scenario",
     "World",
+    "clamped",
+    "distance",
     "quantity",
     "uniform",
+    "wrapped",
 ]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -65,72 +145,15 @@ World = Any
 NO_PHRASES = Phrases()
 
 
-class Per(StrEnum):
-    """How many entries a column has."""
-
-    ENTITY = "entity"
-    WORLD = "world"
-
-
-@dataclass(frozen=True, slots=True)
-class Column:
-    """One array of the world: float64, or int64 where *whole*."""
-
-    name: str
-    whole: bool = False
-    initial: float = 0.0
-    per: Per = Per.ENTITY
-    doc: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Kind:
-    """A kind of entity besides agents.
-
-    Attributes:
-        count: The parameter that says how many there are, or a fixed number.
-        radius: The parameter that says how large one is, or a fixed number; for drawing and for rigid bodies.
-    """
-
-    name: str
-    count: str | int
-    radius: str | float = 0.0
-    doc: str = ""
-
-
-def quantity(
-    default: Value,
-    unit: str = "",
-    low: float | None = None,
-    high: float | None = None,
-    choices: tuple[str, ...] = (),
-    doc: str = "",
-) -> Any:
-    """A parameter: its default, unit, closed range or choices, and meaning."""
-    metadata = {"unit": unit, "low": low, "high": high, "choices": choices, "doc": doc}
-    return field(default=default, metadata=metadata)
-
-
-#: Columns that every world has.
-STANDARD_COLUMNS = (
-    Column("x", doc="position, world units"),
-    Column("y", doc="position, world units"),
-    Column("heading", doc="radians in [-pi, pi), 0 along x, counterclockwise"),
-    Column("drive", doc="how far an agent wants to move along its heading in this tick, units"),
-    Column("turn", doc="how far an agent wants to turn in this tick, radians, counterclockwise"),
-    Column("group_size", whole=True, initial=1, doc="agents in this agent's level-1 group"),
-    Column("members", whole=True, doc="agents, ordered so that every controller's are consecutive"),
-    Column("progressed", whole=True, initial=-1, per=Per.WORLD, doc="tick of the last progress"),
-)
-
-
 class Scenario:
     """What a scenario module declares.
 
     Attributes:
         parameters: A frozen dataclass whose fields are made by `quantity`.
         features, behaviors, targets: Name -> function; the vocabulary tells what each is.
+        stages: ``reset``, ``resolve``, ``kinematics``, ``after_tick``, ``moved`` -> function, as far as declared.
         measures: Name -> the column with a single entry that holds it.
+        checks: Rules across parameters.
     """
 
     def __init__(
@@ -153,10 +176,16 @@ class Scenario:
         self.features: dict[str, Callable[..., float]] = {}
         self.behaviors: dict[str, Callable[..., None]] = {}
         self.targets: dict[str, Callable[..., int]] = {}
-        self.stages: dict[str, Callable[[Any], None]] = {}
+        self.stages: dict[str, Callable[..., None]] = {}
+        self.checks: list[Callable[[Any], str]] = []
         self._features: dict[str, Feature] = {}
         self._behaviors: dict[str, BasicBehavior] = {}
         self._targets: dict[str, Target] = {}
+        with _blaming(name):
+            self._fields = parameter_fields(parameters)
+            refuse_bad_kinds(kinds, self._fields)
+            refuse_bad_columns(columns, kinds)
+            _refuse_bad_measures(self.measures, self.columns)
 
     @property
     def vocabulary(self) -> Vocabulary:
@@ -177,33 +206,31 @@ class Scenario:
         phrases: Phrases = NO_PHRASES,
     ) -> Callable[[Function], Function]:
         """Declare an agent's feature: ``function(world, me, *targets) -> float``."""
-
-        def declare(function: Function) -> Function:
-            doc = _doc(function)
-            self._features[name] = Feature(
-                name, kind, parameters, default, categories, period, unit, phrases, doc
-            )
-            self.features[name] = function
-            return function
-
-        return declare
+        feature = Feature(name, kind, parameters, default, categories, period, unit, phrases)
+        return self._feature(feature, 2 + len(parameters))
 
     def group_feature(
         self,
         name: str,
         kind: FeatureKind,
         default: float = 0.0,
+        categories: tuple[str, ...] = (),
+        period: float = 2 * pi,
         unit: str = "",
         phrases: Phrases = NO_PHRASES,
     ) -> Callable[[Function], Function]:
         """Declare a controller's feature: ``function(world, first, end) -> float`` over ``world.members``."""
+        feature = Feature(name, kind, (), default, categories, period, unit, phrases, whose="group")
+        return self._feature(feature, 3)
 
+    def _feature(self, feature: Feature, arguments: int) -> Callable[[Function], Function]:
         def declare(function: Function) -> Function:
-            doc = _doc(function)
-            self._features[name] = Feature(
-                name, kind, default=default, unit=unit, phrases=phrases, doc=doc, whose="group"
-            )
-            self.features[name] = function
+            what = f"feature {feature.name!r}"
+            with _blaming(self.name):
+                _refuse_twice(what, feature.parameters)
+                refuse_bad_feature(feature)
+            self._add(what, feature.name, self.features, function, arguments)
+            self._features[feature.name] = replace(feature, doc=_doc(function))
             return function
 
         return declare
@@ -220,9 +247,11 @@ class Scenario:
         """Declare a basic behavior: ``function(world, me, *targets)``; it writes only the agent's own entries."""
 
         def declare(function: Function) -> Function:
+            with _blaming(self.name):
+                _refuse_twice(f"behavior {name!r}", parameters)
+            self._add(f"behavior {name!r}", name, self.behaviors, function, 2 + len(parameters))
             doc = _doc(function)
             self._behaviors[name] = BasicBehavior(name, parameters, one_shot, raises, finishes, doc=doc)
-            self.behaviors[name] = function
             return function
 
         return declare
@@ -230,92 +259,129 @@ class Scenario:
     def target(self, name: str, level: int = 0) -> Callable[[Function], Function]:
         """Declare a target: ``function(world, first, end, me) -> entity``, or `NO_ENTITY`.
 
-        ``members[first:end]`` are the agents of the node that bound it, *me* is the agent that acts.
+        ``members[first:end]`` are the agents of the node that bound it, *me* is the agent that acts. Nodes of *level*
+        and above can bind it; agents are level 0.
         """
 
         def declare(function: Function) -> Function:
+            self._add(f"target {name!r}", name, self.targets, function, 4)
             self._targets[name] = Target(name, level, _doc(function))
-            self.targets[name] = function
             return function
 
         return declare
 
     def reset(self, function: Function) -> Function:
         """Declare how a world begins: ``function(world)``."""
-        return self._stage("reset", function)
+        return self._add("reset", "reset", self.stages, function, 1)
 
     def resolve(self, function: Function) -> Function:
         """Declare what happens between acting and physics, such as who wins: ``function(world)``."""
-        return self._stage("resolve", function)
+        return self._add("resolve", "resolve", self.stages, function, 1)
 
     def kinematics(self, function: Function) -> Function:
         """Declare how things move without contact: ``function(world)``."""
-        return self._stage("kinematics", function)
+        return self._add("kinematics", "kinematics", self.stages, function, 1)
 
     def after_tick(self, function: Function) -> Function:
         """Declare the rules at the end of a tick: ``function(world)``."""
-        return self._stage("after_tick", function)
+        return self._add("after_tick", "after_tick", self.stages, function, 1)
 
-    def _stage(self, name: str, function: Function) -> Function:
-        if name in self.stages:
-            raise ScenarioError(f"scenario {self.name!r} declares {name} twice")
-        self.stages[name] = function
+    def moved(self, function: Function) -> Function:
+        """Declare what follows when a user drags an entity: ``function(world, entity, x, y)``; it sets the position."""
+        return self._add("moved", "moved", self.stages, function, 4)
+
+    def check(self, function: Function) -> Function:
+        """Declare a rule across parameters: ``function(parameters)`` says what is wrong, or nothing."""
+        with _blaming(self.name):
+            _refuse_bad_function("check", function, 1)
+        self.checks.append(function)
+        return function
+
+    def _add(
+        self, what: str, name: str, table: dict[str, Any], function: Function, arguments: int
+    ) -> Function:
+        with _blaming(self.name):
+            if not name.strip():
+                raise ScenarioError(f"a name is missing: {what}")
+            if name in table:
+                raise ScenarioError(f"{what} is declared twice")
+            _refuse_bad_function(what, function, arguments)
+        table[name] = function
         return function
 
     # ----------------------------------------------------------------------------------------- parameters
 
     def parameter_fields(self) -> Mapping[str, "Field[Any]"]:
         """The parameters with their metadata, by name."""
-        return {f.name: f for f in fields(self.parameters)}
+        return self._fields
 
     def defaults(self) -> Mapping[str, Value]:
         """Every parameter's default."""
-        return {name: f.default for name, f in self.parameter_fields().items() if f.default is not MISSING}
+        return {name: default(declared) for name, declared in self._fields.items()}
 
     def settle(self, given: Mapping[str, Value]) -> Mapping[str, Value]:
         """All parameters: the defaults with *given* put over them.
 
         Raises:
-            ParameterError: A name is unknown, or a value has the wrong type or lies outside its range.
+            ParameterError: A name is unknown, a value has the wrong type or lies outside its range, or the values do
+                not go together.
         """
-        known = self.parameter_fields()
-        if unknown := [name for name in given if name not in known]:
+        if unknown := [name for name in given if name not in self._fields]:
             raise ParameterError(
-                f"scenario {self.name!r} has no parameter {unknown[0]!r}; there are: {', '.join(sorted(known))}"
+                f"scenario {self.name!r} has no parameter {unknown[0]!r}; there are: {', '.join(sorted(self._fields))}"
             )
         values = dict(self.defaults())
-        values.update({name: _checked(name, known[name], value) for name, value in given.items()})
+        values.update({name: checked(name, self._fields[name], value) for name, value in given.items()})
+        for check in self.checks:
+            self._apply(check, values)
         return values
+
+    def _apply(self, check: Callable[[Any], str], values: Mapping[str, Value]) -> None:
+        try:
+            wrong = check(self.parameters(**values))
+        except Exception as error:
+            raise failed(self.name, "check", check, error) from error
+        if wrong:
+            raise ParameterError(wrong)
+
+
+@contextmanager
+def _blaming(scenario: str) -> Iterator[None]:
+    """Say in which scenario a declaration went wrong."""
+    try:
+        yield
+    except ScenarioError as error:
+        raise ScenarioError(f"scenario {scenario!r}: {error}") from error
 
 
 def _doc(function: Callable[..., Any]) -> str:
     return (function.__doc__ or "").strip().split("\n")[0]
 
 
-def _checked(name: str, declared: "Field[Any]", value: Value) -> Value:
-    """*value* as the type of the parameter's default, within its range."""
-    wanted: Any = type(declared.default)
-    if wanted is float and isinstance(value, int) and not isinstance(value, bool):
-        value = float(value)
-    if not isinstance(value, wanted) or isinstance(value, bool) is not (wanted is bool):
-        raise ParameterError(f"{name} takes {_TYPE_WORDS[wanted]}, but it is {value!r}")
-    if isinstance(value, float) and not isfinite(value):
-        raise ParameterError(f"{name} takes a finite number, but it is {value!r}")
-    _check_range(name, declared, value)
-    settled: Value = value
-    return settled
+def _refuse_bad_function(what: str, function: Callable[..., Any], arguments: int) -> None:
+    if not isinstance(function, FunctionType) or function.__name__ == "<lambda>":
+        raise ScenarioError(f"{what} has to be a plain function, not {function!r}")
+    try:
+        signature(function).bind(*[None] * arguments)
+    except TypeError:
+        found = ", ".join(signature(function).parameters) or "none"
+        raise ScenarioError(
+            f"{what} is called with {arguments} arguments, but {function.__name__} takes: {found}"
+        ) from None
 
 
-def _check_range(name: str, declared: "Field[Any]", value: Value) -> None:
-    low, high, choices = (declared.metadata.get(key) for key in ("low", "high", "choices"))
-    if choices and value not in choices:
-        raise ParameterError(f"{name} is one of {', '.join(choices)}, but it is {value!r}")
-    if isinstance(value, str):
-        return
-    if low is not None and value < low:
-        raise ParameterError(f"{name} must be {low} or more, but it is {value}")
-    if high is not None and value > high:
-        raise ParameterError(f"{name} must be {high} or less, but it is {value}")
+def _refuse_twice(what: str, parameters: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for parameter in parameters:
+        if parameter in seen:
+            raise ScenarioError(f"{what} names the parameter {parameter!r} twice")
+        seen.add(parameter)
 
 
-_TYPE_WORDS = {float: "a number", int: "a whole number", bool: "true or false", str: "a word"}
+def _refuse_bad_measures(measures: Mapping[str, str], columns: Iterable[Column]) -> None:
+    single = [column.name for column in columns if column.per is Per.WORLD]
+    for measure, column in measures.items():
+        if column not in single:
+            raise ScenarioError(
+                f"measure {measure!r} names the column {column!r}; columns with a single entry: {', '.join(single)}"
+            )

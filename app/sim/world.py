@@ -7,18 +7,24 @@ worlds are plain tuples, the same whatever engine made them.
 from collections import namedtuple
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import Any
+from math import isfinite
+from typing import Any, SupportsFloat
 
 from ..core.chance import world_key
-from ..core.errors import ScenarioError
+from ..core.errors import ParameterError, ScenarioError
 from ..core.hierarchy import Hierarchy
 from ..core.project import Value
-from .scenario import Kind, Per, Scenario, World
+from .columns import AGENT, Column, Kind, Per, span_names
+from .failure import failed
+from .scenario import Scenario, World
 
 #: Column name -> its numbers.
 FrozenWorld = Mapping[str, tuple[float, ...] | tuple[int, ...]]
 
 SEED, WORLD_NUMBER, TICK, KEY = range(4)
+_CLOCK = Column("clock", whole=True)
+#: Seeds are int64 in the clock.
+_LARGEST_SEED = 2**63 - 1
 
 
 def new_world(
@@ -31,11 +37,31 @@ def new_world(
         hierarchy: Gives the number of agents and their groups.
         seed: Chooses the run's chance; any whole number from 0 to 2**63 - 1.
         number: Tells worlds of the same seed apart.
+
+    Raises:
+        ParameterError: The seed or number is out of range.
+        ScenarioError: The scenario has no reset, or it raised.
     """
     world = empty_world(scenario, parameters, hierarchy)
-    world.clock[:] = [seed, number, 0, world_key(seed, number)]
-    scenario.stages["reset"](world)
+    begin(world, scenario, seed, number)
     return world
+
+
+def begin(world: World, scenario: Scenario, seed: int, number: int = 0) -> None:
+    """Reset an empty world, see `new_world`."""
+    for what, value in (("seed", seed), ("world number", number)):
+        if not 0 <= value <= _LARGEST_SEED:
+            raise ParameterError(
+                f"a {what} is a whole number from 0 to {_LARGEST_SEED}, but this one is {value}"
+            )
+    reset = scenario.stages.get("reset")
+    if reset is None:
+        raise ScenarioError(f"scenario {scenario.name!r} declares no reset, which says how a world begins")
+    world.clock[:] = [seed, number, 0, world_key(seed, number)]
+    try:
+        reset(world)
+    except Exception as error:
+        raise failed(scenario.name, "reset", reset, error) from error
 
 
 def empty_world(scenario: Scenario, parameters: Mapping[str, Value], hierarchy: Hierarchy) -> World:
@@ -54,32 +80,68 @@ def empty_world(scenario: Scenario, parameters: Mapping[str, Value], hierarchy: 
 
 
 def group_sizes(hierarchy: Hierarchy) -> list[int]:
-    """For each agent, how many agents its level-1 controller has below it; 1 without one."""
-    parents = hierarchy.parents()
-    sizes = {node.id: len(list(node.agents())) for node in hierarchy.controllers()}
-    return [sizes[parents[agent.id]] if agent.id in parents else 1 for agent in hierarchy.agents()]
+    """For each agent, how many agents its level-1 controller has; 1 without one."""
+    sizes = {
+        agent.id: len(group.children)
+        for group in hierarchy.controllers()
+        if group.level == 1
+        for agent in group.children
+    }
+    return [sizes.get(agent.id, 1) for agent in hierarchy.agents()]
 
 
 def freeze(world: World, scenario: Scenario) -> FrozenWorld:
-    """A copy of all columns and the clock."""
-    frozen = {column.name: tuple(getattr(world, column.name)) for column in scenario.columns}
-    return {"clock": tuple(world.clock), **frozen}
+    """A copy of the clock and all columns: floats, and ints where the column is whole.
+
+    Raises:
+        ScenarioError: The scenario has put something else there.
+    """
+    return {column.name: _plain(column, getattr(world, column.name), scenario) for column in _all(scenario)}
 
 
 def thaw(world: World, frozen: Mapping[str, Sequence[float] | Sequence[int]], scenario: Scenario) -> None:
     """Put frozen columns back into a world of the same shape.
 
     Raises:
-        ScenarioError: A column is missing or has another length.
+        ScenarioError: A column is missing, has another length, or holds what it cannot; nothing has changed then.
     """
-    for name in ("clock", *(column.name for column in scenario.columns)):
-        into = getattr(world, name)
-        if name not in frozen or len(frozen[name]) != len(into):
+    plain = {}
+    for column in _all(scenario):
+        name, length = column.name, len(getattr(world, column.name))
+        if name not in frozen or len(frozen[name]) != length:
             found = "missing" if name not in frozen else f"{len(frozen[name])} long"
             raise ScenarioError(
-                f"a stored world of {scenario.name!r}: column {name!r} is {found}, not {len(into)} long"
+                f"a stored world of {scenario.name!r}: column {name!r} is {found}, not {length} long"
             )
-        into[:] = frozen[name]
+        plain[name] = _plain(column, frozen[name], scenario)
+    for name, values in plain.items():
+        getattr(world, name)[:] = values
+
+
+def _all(scenario: Scenario) -> tuple[Column, ...]:
+    return (_CLOCK, *scenario.columns)
+
+
+def _plain(column: Column, values: Sequence[Any], scenario: Scenario) -> tuple[float, ...] | tuple[int, ...]:
+    """The entries of a column as plain Python numbers of its own kind."""
+    try:
+        plain = tuple(map(int if column.whole else float, values))
+        if plain == tuple(values) and (column.whole or all(map(isfinite, plain))):
+            return plain
+    except (TypeError, ValueError, OverflowError):
+        pass
+    wanted = "whole numbers" if column.whole else "finite numbers"
+    place, found = next((k, v) for k, v in enumerate(values) if not _fits(v, whole=column.whole))
+    raise ScenarioError(
+        f"scenario {scenario.name!r}: column {column.name!r} holds {wanted}, but entry {place} is {found!r}"
+    )
+
+
+def _fits(value: object, *, whole: bool) -> bool:
+    if not isinstance(value, SupportsFloat) or isinstance(value, complex):
+        return False
+    number = float(value)
+    return isfinite(number) and (not whole or number == int(number))
 
 
 def spans(world: World, scenario: Scenario) -> Mapping[str, range]:
@@ -88,7 +150,7 @@ def spans(world: World, scenario: Scenario) -> Mapping[str, range]:
         k.name: range(getattr(world, f"first_{k.name}"), getattr(world, f"end_{k.name}"))
         for k in scenario.kinds
     }
-    return {"agent": range(world.agents), **others}
+    return {AGENT: range(world.agents), **others}
 
 
 def _spans(
@@ -117,6 +179,11 @@ def _params_type(scenario: Scenario) -> Any:
 
 @cache
 def _world_type(scenario: Scenario) -> Any:
-    ends = [f"{edge}_{kind.name}" for kind in scenario.kinds for edge in ("first", "end")]
-    names = ["clock", "agents", "params", *ends, *(column.name for column in scenario.columns)]
+    names = [
+        "clock",
+        "agents",
+        "params",
+        *span_names(scenario.kinds),
+        *(column.name for column in scenario.columns),
+    ]
     return namedtuple("World", names)  # noqa: PYI024 - its fields come from the scenario

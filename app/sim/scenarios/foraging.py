@@ -1,17 +1,22 @@
 """Box foraging (paper, section 4): agents hunt for boxes and pull them to a deposit; heavy boxes need many agents."""
 
 from dataclasses import dataclass
-from math import atan2, cos, pi, sin, sqrt, tau
+from math import atan2, cos, hypot, pi, sin, sqrt, tau
 
-from ...core.chance import THE_WORLD, uniform
+from ...core.chance import uniform
 from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
+from ..geometry import clamped, distance, wrapped
 from ..scenario import Column, Kind, Per, Scenario, World, quantity
 
 PLACEMENTS = ("anywhere", "ring")
 RELEASES = ("anyone", "full")
 
-# Draw numbers of the world; each box has its own block of draws when it is placed.
-_PLACE_AGENT, _PLACE_BOX, _DRAWS_PER_BOX, _CLAIM = 0, 16, 64, 1
+# How often a place for a box is drawn before it is put into a corner, two numbers a time.
+_TRIES = 32
+# Draw numbers of agents: when they are placed (x, y, heading), and when they claim a box.
+_PLACE_AGENT, _CLAIM = 0, 3
+# Draw numbers of boxes: the first when they are placed at the beginning, and when they are placed anew.
+_PLACE_BOX, _PLACE_BOX_ANEW = 0, 2 * _TRIES
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,12 +38,10 @@ class Parameters:
     deposit_x: float = quantity(100.0, "units", 0.0, 100_000.0, doc="where the deposit is")
     deposit_y: float = quantity(100.0, "units", 0.0, 100_000.0, doc="where the deposit is")
     deposit_range: float = quantity(5.0, "units", 0.0, 100_000.0, doc="a box this near counts as deposited")
-    placement: str = quantity(
-        "anywhere", choices=PLACEMENTS, doc="where boxes appear: anywhere, or on a ring"
-    )
+    placement: str = quantity("anywhere", choices=PLACEMENTS, doc="where boxes appear")
     ring_radius: float = quantity(70.0, "units", 0.0, 100_000.0, doc="the ring's distance from the deposit")
     release: str = quantity(
-        "anyone", choices=RELEASES, doc="who may let go: anyone, or only pullers of full boxes"
+        "anyone", choices=RELEASES, doc="who may let go: pullers of any box, or of full ones"
     )
 
 
@@ -47,14 +50,12 @@ scenario = Scenario(
     "Box foraging",
     Parameters,
     kinds=(
-        Kind("box", "boxes", doc="pulled to the deposit"),
+        Kind("box", "boxes", "box_diameter", doc="pulled to the deposit"),
         Kind("deposit", 1, doc="where boxes are brought"),
     ),
     columns=(
         Column("held", whole=True, initial=NO_ENTITY, doc="the box that an agent is attached to"),
-        Column(
-            "wants", whole=True, initial=NO_ENTITY, doc="the box that an agent tries to grab in this tick"
-        ),
+        Column("wants", whole=True, initial=NO_ENTITY, doc="the box that an agent grabs in this tick"),
         Column("lets_go", whole=True, doc="1 where an agent lets go of its box in this tick"),
         Column("needed", whole=True, doc="agents that a box needs"),
         Column("pulling", whole=True, doc="agents attached to a box"),
@@ -66,24 +67,21 @@ scenario = Scenario(
 )
 
 
-# ------------------------------------------------------------------------------------------------ geometry
-
-
-def distance(world: World, a: int, b: int) -> float:
-    """Between the centers of two entities."""
-    dx = world.x[b] - world.x[a]
-    dy = world.y[b] - world.y[a]
-    return sqrt(dx * dx + dy * dy)
-
-
-def wrapped(angle: float) -> float:
-    """The same angle in [-pi, pi)."""
-    return (angle + pi) % tau - pi
-
-
-def clamped(value: float, high: float) -> float:
-    """*value* put into [0, high]."""
-    return min(max(value, 0.0), high)
+@scenario.check
+def impossible(p: Parameters) -> str:
+    """Parameters with which there would be more big boxes than boxes, or no place for the deposit or a box."""
+    if p.big_boxes > p.boxes:
+        return f"big_boxes must be {p.boxes} or less, as many as there are boxes, but it is {p.big_boxes}"
+    if p.deposit_x > p.width:
+        return f"deposit_x must be {p.width} or less, within the arena's width, but it is {p.deposit_x}"
+    if p.deposit_y > p.height:
+        return f"deposit_y must be {p.height} or less, within the arena's height, but it is {p.deposit_y}"
+    corner = hypot(max(p.deposit_x, p.width - p.deposit_x), max(p.deposit_y, p.height - p.deposit_y))
+    if p.deposit_range >= corner:
+        return f"deposit_range must be below {corner:g}, short of a corner of the arena, but it is {p.deposit_range}"
+    if p.placement == "ring" and p.ring_radius <= p.deposit_range:
+        return f"ring_radius must be above {p.deposit_range}, beyond deposit_range, but it is {p.ring_radius}"
+    return ""
 
 
 # ------------------------------------------------------------------------------------------------ features
@@ -180,24 +178,15 @@ def nearest_visible_box(world: World, first: int, end: int, me: int) -> int:
 @scenario.target("deposit")
 def deposit(world: World, first: int, end: int, me: int) -> int:
     """Where boxes are brought."""
-    home: int = world.first_deposit
-    return home
+    return int(world.first_deposit)
 
 
 @scenario.target("closest attached agent", level=1)
 def closest_attached_agent(world: World, first: int, end: int, me: int) -> int:
     """The attached agent in the owner's subtree nearest to the performer; none for an attached performer."""
-    best = -1
-    if world.held[me] < 0:
-        best_distance = 0.0
-        for k in range(first, end):
-            agent = world.members[k]
-            if world.held[agent] >= 0:
-                d = distance(world, me, agent)
-                if best < 0 or d < best_distance:
-                    best = agent
-                    best_distance = d
-    return best
+    if world.held[me] >= 0:
+        return -1
+    return nearest_holder(world, first, end, me, 0)
 
 
 @scenario.target("biggest attached agent", level=2)
@@ -212,17 +201,23 @@ def biggest_attached_agent(world: World, first: int, end: int, me: int) -> int:
         if box >= 0 and world.needed[box] > most:
             most = world.needed[box]
     mine = world.held[me]
+    if mine >= 0 and world.needed[mine] >= most:
+        return -1
+    return nearest_holder(world, first, end, me, most)
+
+
+def nearest_holder(world: World, first: int, end: int, me: int, least: int) -> int:
+    """The agent nearest to *me* of those attached to a box that needs *least* agents or more, or -1."""
     best = -1
-    if most > 0 and not (mine >= 0 and world.needed[mine] == most):
-        best_distance = 0.0
-        for k in range(first, end):
-            agent = world.members[k]
-            box = world.held[agent]
-            if box >= 0 and world.needed[box] == most:
-                d = distance(world, me, agent)
-                if best < 0 or d < best_distance:
-                    best = agent
-                    best_distance = d
+    best_distance = 0.0
+    for k in range(first, end):
+        agent = world.members[k]
+        box = world.held[agent]
+        if box >= 0 and world.needed[box] >= least:
+            d = distance(world, me, agent)
+            if best < 0 or d < best_distance:
+                best = agent
+                best_distance = d
     return best
 
 
@@ -286,38 +281,38 @@ def reset(world: World) -> None:
     for box in range(world.first_box, world.end_box):
         big = box - world.first_box < world.params.big_boxes
         world.needed[box] = world.params.big_pullers if big else world.params.pullers
-        place_box(world, box)
+        place_box(world, box, _PLACE_BOX)
 
 
-def place_box(world: World, box: int) -> None:
-    """Put a box down at random, beyond the deposit's range: it is tried up to 31 times."""
+def place_box(world: World, box: int, number: int) -> None:
+    """Put a box down at random beyond the deposit's range; if all draws fail, in the corner farthest from it."""
     params = world.params
-    number = _PLACE_BOX + (box - world.first_box) * _DRAWS_PER_BOX
     home = world.first_deposit
-    tries = 0
-    while tries < 31:
-        a = uniform(world.clock, THE_WORLD, number + 2 * tries)
-        b = uniform(world.clock, THE_WORLD, number + 2 * tries + 1)
+    for k in range(_TRIES):
+        a = uniform(world.clock, box, number + 2 * k)
+        b = uniform(world.clock, box, number + 2 * k + 1)
         if params.placement == 0:
             world.x[box] = a * params.width
             world.y[box] = b * params.height
         else:
             world.x[box] = clamped(world.x[home] + params.ring_radius * cos(a * tau), params.width)
             world.y[box] = clamped(world.y[home] + params.ring_radius * sin(a * tau), params.height)
-        tries = tries + 1
         if distance(world, box, home) > params.deposit_range:
-            tries = 31
+            return
+    world.x[box] = params.width if 2.0 * world.x[home] < params.width else 0.0
+    world.y[box] = params.height if 2.0 * world.y[home] < params.height else 0.0
 
 
 @scenario.resolve
 def settle_grabs(world: World) -> None:
     """Let agents go, then attach those who grab; where more grab than a box needs, the lowest draws win."""
     for agent in range(world.agents):
+        if world.lets_go[agent] == 1 and not may_let_go(world, agent):
+            world.lets_go[agent] = 0
+    for agent in range(world.agents):
         if world.lets_go[agent] == 1:
             world.lets_go[agent] = 0
-            box = world.held[agent]
-            if box >= 0 and (world.params.release == 0 or world.pulling[box] >= world.needed[box]):
-                detach(world, agent)
+            detach(world, agent)
     for agent in range(world.agents):
         box = world.wants[agent]
         if box >= 0 and world.pulling[box] + stronger_claims(world, agent, box) < world.needed[box]:
@@ -328,6 +323,14 @@ def settle_grabs(world: World) -> None:
             world.wants[agent] = -1
             if world.held[agent] == box:
                 world.pulling[box] += 1
+
+
+def may_let_go(world: World, agent: int) -> bool:
+    """Whether an agent is attached, and the rules allow it to let go."""
+    box = world.held[agent]
+    if box < 0:
+        return False
+    return bool(world.params.release == 0 or world.pulling[box] >= world.needed[box])
 
 
 def stronger_claims(world: World, me: int, box: int) -> int:
@@ -380,10 +383,15 @@ def pull(world: World, box: int) -> None:
         dy = y - world.y[box]
         world.x[box] = x
         world.y[box] = y
-        for agent in range(world.agents):
-            if world.held[agent] == box:
-                world.x[agent] = clamped(world.x[agent] + dx, world.params.width)
-                world.y[agent] = clamped(world.y[agent] + dy, world.params.height)
+        carry(world, box, dx, dy)
+
+
+def carry(world: World, box: int, dx: float, dy: float) -> None:
+    """Move all agents that are attached to a box, as far as the walls allow."""
+    for agent in range(world.agents):
+        if world.held[agent] == box:
+            world.x[agent] = clamped(world.x[agent] + dx, world.params.width)
+            world.y[agent] = clamped(world.y[agent] + dy, world.params.height)
 
 
 @scenario.after_tick
@@ -398,4 +406,18 @@ def deliver(world: World) -> None:
             for agent in range(world.agents):
                 if world.held[agent] == box:
                     detach(world, agent)
-            place_box(world, box)
+            place_box(world, box, _PLACE_BOX_ANEW)
+
+
+@scenario.moved
+def drag(world: World, entity: int, x: float, y: float) -> None:
+    """Put an entity within the walls; a box takes its agents along, an agent out of reach of its box loses it."""
+    dx = clamped(x, world.params.width) - world.x[entity]
+    dy = clamped(y, world.params.height) - world.y[entity]
+    world.x[entity] += dx
+    world.y[entity] += dy
+    carry(world, entity, dx, dy)
+    if entity < world.agents:
+        box = world.held[entity]
+        if box >= 0 and distance(world, entity, box) > world.params.grab_range:
+            detach(world, entity)

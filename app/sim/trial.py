@@ -1,0 +1,181 @@
+"""Whether a scenario's functions keep their promises, found by trying them out in a small world.
+
+What reading cannot show (`app.sim.portable`): a feature that writes, a behavior that writes what is another's or whose
+outcome depends on the order of acting, a negative index, state that is kept outside of the columns.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, SupportsIndex
+
+from ..core.chance import draw
+from ..core.errors import ScenarioError
+from ..core.hierarchy import Hierarchy, from_table
+from ..core.project import Value
+from ..core.vocabulary import NO_ENTITY
+from .columns import Per
+from .failure import broke, failed
+from .ranges import allowed, is_value
+from .scenario import Scenario, World
+from .sensing import WorldSenses
+from .world import KEY, TICK, FrozenWorld, begin, empty_world, freeze, thaw
+
+#: Five agents in two groups of different sizes are a forest that shows most of what can go wrong.
+AGENTS = 5
+
+
+def faults(scenario: Scenario, parameters: Mapping[str, Value] | None = None, ticks: int = 60) -> list[str]:
+    """What is found wrong first, or nothing.
+
+    Args:
+        parameters: Those that differ from the defaults.
+    """
+    settled = scenario.settle(parameters or {})
+    try:
+        once, again = (_Trial(scenario, settled).run(ticks) for _ in range(2))
+        if changed := _changed(once, again):
+            raise ScenarioError(
+                f"scenario {scenario.name!r}: column {changed[0][0]!r} is not the same when a run is repeated; all state "
+                "has to be in columns, and all chance has to come from uniform"
+            )
+    except ScenarioError as error:
+        return [str(error)]
+    return []
+
+
+class _Column(list[float]):
+    """A column that refuses what a compiled one would silently answer with something else."""
+
+    def __getitem__(self, index: Any) -> Any:
+        return super().__getitem__(_refused(index))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        super().__setitem__(_refused(index), value)
+
+
+def _refused(index: Any) -> Any:
+    if isinstance(index, SupportsIndex) and index.__index__() < 0:
+        raise IndexError(f"the index is {index}; allowed: 0 and up")
+    return index
+
+
+class _Trial:
+    def __init__(self, scenario: Scenario, parameters: Mapping[str, Value]) -> None:
+        self._scenario = scenario
+        world = empty_world(scenario, parameters, _forest())
+        self._world: World = world._replace(
+            **{column.name: _Column(getattr(world, column.name)) for column in scenario.columns}
+        )
+        begin(self._world, scenario, seed=1)
+        self._senses = WorldSenses(scenario, self._world)
+
+    def run(self, ticks: int) -> FrozenWorld:
+        """Pass ticks in which all agents do anything."""
+        for _ in range(ticks):
+            self._sense()
+            self._act()
+            for name in ("resolve", "kinematics", "after_tick"):
+                if name in self._scenario.stages:
+                    self._call(name, self._scenario.stages[name])
+            self._world.clock[TICK] += 1
+        return self._frozen()
+
+    def _sense(self) -> None:
+        """Ask for everything; nothing may change meanwhile."""
+        before = self._frozen()
+        for name, function in (*self._scenario.targets.items(), *self._scenario.features.items()):
+            for value in self._answers(name):
+                self._refuse_no_value(name, function, value)
+            if changed := _changed(before, self._frozen()):
+                raise broke(
+                    self._scenario.name,
+                    name,
+                    function,
+                    f"it writes {changed[0][0]!r}, but only behaviors write",
+                )
+
+    def _answers(self, name: str) -> Iterator[float]:
+        everyone = range(AGENTS)
+        feature = self._scenario.vocabulary.features.get(name)
+        for agent in everyone:
+            if name in self._scenario.targets:
+                self._senses.target(name, everyone, agent)
+            if feature is not None and feature.whose == "agent":
+                for targets in self._targets(agent, len(feature.parameters)):
+                    yield self._senses.feature(name, agent, targets)
+        if feature is not None and feature.whose == "group":
+            yield self._senses.group_feature(name, everyone)
+
+    def _targets(self, agent: int, parameters: int) -> list[tuple[int, ...]]:
+        """For every target that means somebody, as many of it as there are parameters."""
+        if parameters == 0:
+            return [()]
+        found = (self._senses.target(name, range(AGENTS), agent) for name in self._scenario.targets)
+        return [(entity,) * parameters for entity in found if entity != NO_ENTITY]
+
+    def _refuse_no_value(self, name: str, function: Callable[..., Any], value: float) -> None:
+        feature = self._scenario.vocabulary.features[name]
+        if not is_value(feature, value):
+            raise broke(
+                self._scenario.name, name, function, f"it gave {value!r}; allowed: {allowed(feature)}"
+            )
+
+    def _act(self) -> None:
+        """Let every agent do something, in both orders."""
+        for agent in range(AGENTS):
+            self._world.drive[agent] = self._world.turn[agent] = 0.0
+        acts = [act for agent in range(AGENTS) if (act := self._chosen(agent)) is not None]
+        before = self._frozen()
+        for act in reversed(acts):
+            self._perform(*act)
+        backward = self._frozen()
+        thaw(self._world, before, self._scenario)
+        for act in acts:
+            self._perform(*act)
+        if changed := _changed(backward, self._frozen()):
+            raise ScenarioError(
+                f"scenario {self._scenario.name!r}: column {changed[0][0]!r} depends on the order in which agents act; one "
+                f"of these behaviors reads what another writes: {', '.join(sorted({act[1] for act in acts}))}"
+            )
+
+    def _chosen(self, agent: int) -> tuple[int, str, tuple[int, ...]] | None:
+        clock, behaviors = self._world.clock, tuple(self._scenario.vocabulary.behaviors.values())
+        if not behaviors:
+            return None
+        behavior = behaviors[int(draw(clock[KEY], clock[TICK], agent, 0) * len(behaviors))]
+        targets = self._targets(agent, len(behavior.parameters))
+        return (agent, behavior.name, targets[clock[TICK] % len(targets)]) if targets else None
+
+    def _perform(self, agent: int, name: str, targets: tuple[int, ...]) -> None:
+        function = self._scenario.behaviors[name]
+        before = self._frozen()
+        self._call(f"behavior {name!r}", function, agent, *targets)
+        per_entity = {column.name for column in self._scenario.columns if column.per is Per.ENTITY}
+        for column, entry in _changed(before, self._frozen()):
+            if entry != agent or column not in per_entity:
+                how = f"it writes entry {entry} of {column!r}, but agent {agent} acts; a behavior writes its agent's own entries"
+                raise broke(self._scenario.name, f"behavior {name!r}", function, how)
+
+    def _call(self, what: str, function: Callable[..., Any], *arguments: int) -> None:
+        try:
+            function(self._world, *arguments)
+        except Exception as error:
+            raise failed(self._scenario.name, what, function, error) from error
+
+    def _frozen(self) -> FrozenWorld:
+        return freeze(self._world, self._scenario)
+
+
+def _forest() -> Hierarchy:
+    trio, pair = from_table((1, 3), ("trio", "agent")).roots, from_table((1, 2), ("pair", "other")).roots
+    return Hierarchy((*trio, *pair))
+
+
+def _changed(before: FrozenWorld, after: FrozenWorld) -> list[tuple[str, int]]:
+    """Column and entry of all that differs."""
+    return [
+        (name, entry)
+        for name, values in before.items()
+        if values != after[name]
+        for entry, (old, new) in enumerate(zip(values, after[name], strict=True))
+        if old != new
+    ]
