@@ -34,12 +34,13 @@ class Kind:
 
     Attributes:
         count: The parameter that says how many there are, or a fixed number.
-        diameter: The parameter that says how large one is, or a fixed number; for drawing and for rigid bodies.
+        radius: The parameter that says how large one is, or a fixed number; for drawing and for rigid bodies. A parameter
+            called KIND_diameter says it too, and KIND_range how far a place reaches.
     """
 
     name: str
     count: str | int
-    diameter: str | float = 0.0
+    radius: str | float = 0.0
     doc: str = ""
 
 
@@ -91,9 +92,9 @@ def refuse_bad_kinds(kinds: Iterable[Kind], parameters: Mapping[str, "Field[Any]
                 f"the count of kind {kind.name!r} is {kind.count!r}; allowed: a whole number, 0 or more, or the name of "
                 "a parameter that is one and has low=0 or more"
             )
-        if isinstance(kind.diameter, str) and kind.diameter not in parameters:
+        if isinstance(kind.radius, str) and kind.radius not in parameters:
             raise ScenarioError(
-                f"the diameter of kind {kind.name!r} is a parameter {kind.diameter!r} that there is not"
+                f"the radius of kind {kind.name!r} is a parameter {kind.radius!r} that there is not"
             )
 
 

@@ -50,7 +50,7 @@ scenario = Scenario(
     "Box foraging",
     Parameters,
     kinds=(
-        Kind("box", "boxes", "box_diameter", doc="pulled to the deposit"),
+        Kind("box", "boxes", doc="pulled to the deposit"),
         Kind("deposit", 1, doc="where boxes are brought"),
     ),
     columns=(
