@@ -1,16 +1,24 @@
 """Finding the scenario of a project; code that came with a project runs only after the user trusts it."""
 
 import sys
-from importlib.util import module_from_spec, spec_from_file_location
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from importlib.util import module_from_spec, spec_from_file_location, spec_from_loader
 from pathlib import Path
+from types import ModuleType
 
 from ..core.errors import ScenarioError
 from ..core.project import Project
+from ..sim.failure import place_in
 from ..sim.scenario import Scenario
 from ..sim.scenarios import shipped
 
 #: What a project's ``scenario`` says when it brings its own code, and the name of that file in its folder.
 OWN_CODE = "scenario.py"
+#: The name of this package where it is installed, by which projects import from it, and the one it runs as.
+PUBLIC_NAME, RUNS_AS = "understudy", __name__.split(".", maxsplit=1)[0]
 
 
 class TrustError(ScenarioError):
@@ -43,30 +51,82 @@ def open_scenario(project: Project, folder: Path | None = None, *, trust: bool =
     return _own(path)
 
 
-def _offer_contract() -> None:
-    """Let ``from understudy.sim.scenario import ...`` find the loaded contract, whatever name this package runs as."""
-    root = __name__.split(".", maxsplit=1)[0]
-    for name in ("", ".sim", ".sim.scenario"):
-        sys.modules.setdefault("understudy" + name, sys.modules[root + name])
-
-
 def _own(path: Path) -> Scenario:
     """The scenario that the module at *path* declares as ``scenario``."""
-    if not path.is_file():
-        raise ScenarioError(f"{path}: the project says that its scenario is here, but there is no such file")
-    _offer_contract()
-    spec = spec_from_file_location("understudy_project_scenario", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    sys.modules[spec.name] = module
-    try:
-        spec.loader.exec_module(module)
-    except Exception as error:
-        raise ScenarioError(f"{path}: {type(error).__name__}: {error}") from error
+    module = _executed(path)
     found = getattr(module, "scenario", None)
     if not isinstance(found, Scenario):
         raise ScenarioError(
             f"{path}: it must assign a Scenario to the name 'scenario'; found {type(found).__name__}"
         )
+    if "reset" not in found.stages:
+        raise ScenarioError(f"{path}: it declares no reset, which says how a world begins")
     return found
+
+
+def _executed(path: Path) -> ModuleType:
+    """The module at *path*, run anew."""
+    _refuse_missing(path)
+    _offer_contract()
+    spec = spec_from_file_location("understudy_project_scenario", path, loader=_Unstored(path))
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    sys.modules[spec.name] = module  # dataclasses look their module up
+    try:
+        spec.loader.exec_module(module)
+    except (Exception, SystemExit) as error:
+        del sys.modules[spec.name]
+        raise ScenarioError(f"{path}{_line(path, error)}: {type(error).__name__}: {error}") from error
+    return module
+
+
+def _refuse_missing(path: Path) -> None:
+    try:
+        there = path.is_file()
+    except OSError as error:
+        raise ScenarioError(f"{path}: it cannot be read: {error.strerror}") from error
+    if not there:
+        raise ScenarioError(f"{path}: the project says that its scenario is here, but there is no such file")
+
+
+def _line(path: Path, error: BaseException) -> str:
+    """The line of the file that was running; a syntax error names it by itself."""
+    line = place_in(str(path), error)[1]
+    return f", line {line}" if line else ""
+
+
+class _Unstored(SourceFileLoader):
+    """Compiles a file each time: nothing is written into the user's project, and no edit is missed."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__("understudy_project_scenario", str(path))
+
+    def path_stats(self, path: str) -> dict[str, float]:
+        """Refuse to tell a file's age, so that no bytecode is looked for or kept."""
+        raise OSError(path)
+
+
+# ------------------------------------------------------------------------------------------- the public name
+
+
+class _Alias(MetaPathFinder, Loader):
+    """Imports of ``understudy.X`` give the very module that runs here, whatever name this package runs as."""
+
+    def find_spec(
+        self, name: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Take on the public name and all below it."""
+        ours = name == PUBLIC_NAME or name.startswith(PUBLIC_NAME + ".")
+        return spec_from_loader(name, self) if ours else None
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Put the module that runs in the place of the empty one just made."""
+        name = module.__name__
+        sys.modules[name] = import_module(RUNS_AS + name.removeprefix(PUBLIC_NAME))
+
+
+def _offer_contract() -> None:
+    """Let ``from understudy.sim.scenario import ...`` find the contract that runs, not another copy of it."""
+    if RUNS_AS != PUBLIC_NAME and not any(isinstance(finder, _Alias) for finder in sys.meta_path):
+        sys.meta_path.insert(0, _Alias())
