@@ -15,7 +15,7 @@ LONGEST_ID = 40
 def slug(name: str, fallback: str = "unnamed") -> str:
     """*name* as an id of small letters, digits and hyphens: ``ReturnWithBox`` gives ``return-with-box``."""
     letters = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
-    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", letters).lower()
+    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-", letters).lower()
     return re.sub(r"[^a-z0-9]+", "-", apart).strip("-")[:LONGEST_ID].strip("-") or fallback
 
 
