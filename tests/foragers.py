@@ -1,6 +1,7 @@
 """A forager authored by hand for the foraging scenario, and worlds to run it in: alone, in groups, in squads of groups."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from app.core.automaton import START, Automaton, Rule
 from app.core.conditions import AtMost, Condition, Equals, Guard, InArc
@@ -17,7 +18,6 @@ from app.core.features import (
 )
 from app.core.hierarchy import Hierarchy, from_table
 from app.core.library import Library, Types
-from app.core.project import Value
 from app.core.vocabulary import DONE, FAILED, FINISHED
 from app.sim.engine import Start
 from app.sim.scenario import Scenario
@@ -214,7 +214,7 @@ def start(
     top: str = "",
     seed: int = 1,
     world: int = 0,
-    **parameters: Value,
+    **parameters: Any,
 ) -> Start:
     """A foraging world of authored foragers."""
     forest = alone() if hierarchy is None else hierarchy
