@@ -1,0 +1,32 @@
+"""Where the program is, and what it runs on."""
+
+import os
+import sys
+from pathlib import Path
+
+from ..core.errors import StorageError
+
+ROOT = Path(__file__).parents[1]
+#: Holds the lock and the set-up, if this is a clone.
+CLONE = ROOT.parent
+
+
+def shipped_project(name: str) -> Path:
+    """The folder of a project that ships with Understudy: beside an installed package, or in a clone."""
+    places = [ROOT / "projects" / name, CLONE / "projects" / name]
+    for place in places:
+        if place.is_dir():
+            return place
+    raise StorageError(f"the project {name!r} is missing; looked for it in {places[0]} and {places[1]}")
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def display() -> str:
+    """The screen that windows would open on; empty if there is none."""
+    if sys.platform != "linux":
+        return sys.platform
+    return os.environ.get("WAYLAND_DISPLAY") or os.environ.get("DISPLAY") or ""

@@ -1,0 +1,245 @@
+"""Everything that can be typed. Only words are here: the work is imported when a verb is obeyed."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .. import __version__
+from .console import PROGRAM, show
+
+#: The verb that is meant where none is given; it stays out of the help.
+STUDIO = "studio"
+
+verbs = typer.Typer(
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
+    pretty_exceptions_enable=False,
+)
+
+
+def examples(*lines: str) -> str:
+    """What stands below the help of a verb."""
+    return "\n".join(("Examples:\n", *lines))
+
+
+def at_least(least: int) -> Callable[[int], int]:
+    """A check of a whole number that says what is allowed and what was found."""
+
+    def checked(value: int) -> int:
+        if value < least:
+            raise typer.BadParameter(f"it must be {least} or more, but it is {value}")
+        return value
+
+    return checked
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        show(f"{PROGRAM} {__version__}")
+        raise typer.Exit
+
+
+def _scenarios(wanted: bool) -> None:
+    if wanted:
+        from .new import show_scenarios
+
+        show_scenarios()
+        raise typer.Exit
+
+
+ProjectFolder = Annotated[Path, typer.Argument(metavar="PROJECT", help="The project's folder.")]
+Behaviors = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="BEHAVIOR", help="Names, such as Goto or agent/Goto; all behaviors if there are none."
+    ),
+]
+Json = Annotated[
+    bool, typer.Option("--json", help="Print one JSON document on stdout, and nothing else there.")
+]
+Trust = Annotated[bool, typer.Option("--trust", help="Run the Python code that the project carries.")]
+Picture = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Draw the result: .png, .svg or .pdf.", dir_okay=False)
+]
+Dark = Annotated[bool, typer.Option("--dark", help="Draw it on a dark ground.")]
+Seed = Annotated[
+    int, typer.Option(callback=at_least(0), help="Settles chance; further runs take the seeds after it.")
+]
+Jobs = Annotated[
+    int | None,
+    typer.Option(
+        callback=lambda v: v if v is None else at_least(1)(v),
+        help="Runs at a time.",
+        show_default="one a core",
+    ),
+]
+
+
+@verbs.callback(
+    invoke_without_command=True,
+    subcommand_metavar="[PROJECT | VERB ...]",
+    epilog=examples(
+        "understudy                          without a screen: a demonstration",
+        "understudy run projects/foraging    run a project's first arm",
+        "understudy train projects/foraging  learn again from stored examples",
+        "understudy VERB --help              more about a verb",
+    ),
+)
+def program(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Say which version this is.")
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Should the program fail, show where.")] = False,
+) -> None:
+    """Teach behaviors to groups of simulated agents by showing them.
+
+    Exit codes: 0 done, 1 the work ran and something in it fell short, 2 the input was wrong, 130 interrupted.
+    """
+
+
+@verbs.command(STUDIO, hidden=True)
+def studio(
+    project: Annotated[Path | None, typer.Argument(metavar="PROJECT")] = None,
+    picture: Picture = None,
+    dark: Dark = False,
+    ticks: Annotated[int, typer.Option(callback=at_least(1), help="How long each run takes.")] = 6_000,
+    seed: Seed = 1,
+    trust: Trust = False,
+) -> int:
+    """Open the studio; without a screen, relearn a project from its demonstrations and run its arms."""
+    from .studio import open_studio
+
+    return open_studio(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy new my-project --scenario foraging",
+        "understudy new --list",
+    )
+)
+def new(
+    folder: Annotated[
+        Path, typer.Argument(metavar="DIR", help="A folder that does not exist yet, or is empty.")
+    ],
+    scenario: Annotated[str, typer.Option(help="The world that its agents live in.")],
+    as_json: Json = False,
+    scenarios: Annotated[  # noqa: ARG001 - its callback does the work
+        bool, typer.Option("--list", callback=_scenarios, is_eager=True, help="List the scenarios.")
+    ] = False,
+) -> int:
+    """Make a new project: fifty agents in a scenario, and no behaviors yet."""
+    from .new import make_project
+
+    return make_project(folder, scenario, as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy check projects/foraging",
+        "understudy check projects/foraging --json | jq .problems",
+    )
+)
+def check(project: ProjectFolder, trust: Trust = False, as_json: Json = False) -> int:
+    """Look for everything that is wrong with a project; exit code 2 if it cannot run as it is."""
+    from .check import check_project
+
+    return check_project(project, trust=trust, as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy train projects/foraging",
+        "understudy train projects/foraging Goto agent/Wander --dry-run",
+    )
+)
+def train(
+    project: ProjectFolder,
+    behaviors: Behaviors = None,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Report, and leave the project as it is.")
+    ] = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Learn behaviors again from their stored examples, keep them, and report per state."""
+    from .train import train_project
+
+    return train_project(project, behaviors or [], dry_run=dry_run, trust=trust, as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy run projects/foraging --arm 'one level' --ticks 20000 --runs 10",
+        "understudy run projects/foraging --set world.boxes=20 --set world.pullers=3 --json",
+        "understudy run projects/foraging --arm 'two levels' --picture two-levels.svg",
+    )
+)
+def run(
+    project: ProjectFolder,
+    *,
+    arm: Annotated[str | None, typer.Option(help="Which treatment.", show_default="the first")] = None,
+    top: Annotated[
+        str | None, typer.Option(metavar="BEHAVIOR", help="What every root runs.", show_default="the arm's")
+    ] = None,
+    ticks: Annotated[
+        int, typer.Option(callback=at_least(1), help="How long a run takes; 60 ticks are a second at 1x.")
+    ] = 10_000,
+    seed: Seed = 1,
+    runs: Annotated[int, typer.Option(callback=at_least(1), help="How many runs.")] = 1,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set", metavar="world.NAME=VALUE", help="Another value for a parameter of the scenario."
+        ),
+    ] = None,
+    jobs: Jobs = None,
+    picture: Picture = None,
+    dark: Dark = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Run an arm of a project without a window, and count."""
+    from .run import Request, run_project
+
+    request = Request(project, arm, top, ticks, seed, runs, tuple(settings or ()), jobs, trust)
+    return run_project(request, picture, dark=dark, as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy demonstrate projects/foraging --check",
+        "understudy demonstrate my-project Goto",
+    )
+)
+def demonstrate(
+    project: ProjectFolder,
+    behaviors: Behaviors = None,
+    only_check: Annotated[
+        bool, typer.Option("--check", help="Compare with what is stored; change nothing.")
+    ] = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Play a project's demonstrations again, and keep the examples that they record and what is learned from them.
+
+    With --check, exit code 1 if a file of the project would come out different.
+    """
+    from .demonstrate import demonstrate_project
+
+    return demonstrate_project(project, behaviors or [], only_check=only_check, trust=trust, as_json=as_json)
+
+
+@verbs.command(epilog=examples("understudy doctor", "understudy doctor --json"))
+def doctor(as_json: Json = False) -> int:
+    """Say what is installed and what is missing, with the command that mends it."""
+    from .doctor import examine
+
+    return examine(as_json=as_json)
+
+
+NAMES = tuple(
+    command.name or command.callback.__name__ for command in verbs.registered_commands if command.callback
+)
