@@ -5,13 +5,14 @@ outcome depends on the order of acting, a negative index, state that is kept out
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, SupportsIndex
 
 from ..core.chance import draw
 from ..core.errors import ScenarioError
 from ..core.hierarchy import Hierarchy, from_table
 from ..core.project import Value
-from ..core.vocabulary import NO_ENTITY
+from ..core.vocabulary import NO_ENTITY, Feature
 from .columns import Per
 from .failure import broke, failed
 from .ranges import allowed, is_value
@@ -19,8 +20,8 @@ from .scenario import Scenario, World
 from .sensing import WorldSenses
 from .world import KEY, TICK, FrozenWorld, begin, empty_world, freeze, thaw
 
-#: Five agents in two groups of different sizes are a forest that shows most of what can go wrong.
-AGENTS = 5
+#: Five agents, in two groups of different sizes.
+EVERYONE = range(5)
 
 
 def faults(scenario: Scenario, parameters: Mapping[str, Value] | None = None, ticks: int = 60) -> list[str]:
@@ -80,50 +81,53 @@ class _Trial:
         return self._frozen()
 
     def _sense(self) -> None:
-        """Ask for everything; nothing may change meanwhile."""
-        before = self._frozen()
-        for name, function in (*self._scenario.targets.items(), *self._scenario.features.items()):
-            for value in self._answers(name):
-                self._refuse_no_value(name, function, value)
-            if changed := _changed(before, self._frozen()):
-                raise broke(
-                    self._scenario.name,
-                    name,
-                    function,
-                    f"it writes {changed[0][0]!r}, but only behaviors write",
-                )
+        """Ask for everything."""
+        for name, meaning in self._scenario.targets.items():
+            with self._unchanged(f"target {name!r}", meaning):
+                for agent in EVERYONE:
+                    self._senses.target(name, EVERYONE, agent)
+        for name, function in self._scenario.features.items():
+            feature, what = self._scenario.vocabulary.features[name], f"feature {name!r}"
+            with self._unchanged(what, function):
+                for value in self._values(feature):
+                    if not is_value(feature, value):
+                        raise broke(
+                            self._scenario.name,
+                            what,
+                            function,
+                            f"it gave {value!r}; allowed: {allowed(feature)}",
+                        )
 
-    def _answers(self, name: str) -> Iterator[float]:
-        everyone = range(AGENTS)
-        feature = self._scenario.vocabulary.features.get(name)
-        for agent in everyone:
-            if name in self._scenario.targets:
-                self._senses.target(name, everyone, agent)
-            if feature is not None and feature.whose == "agent":
-                for targets in self._targets(agent, len(feature.parameters)):
-                    yield self._senses.feature(name, agent, targets)
-        if feature is not None and feature.whose == "group":
-            yield self._senses.group_feature(name, everyone)
+    @contextmanager
+    def _unchanged(self, what: str, function: Callable[..., Any]) -> Iterator[None]:
+        """Refuse that the world changes meanwhile."""
+        before = self._frozen()
+        yield
+        if changed := _changed(before, self._frozen()):
+            how = f"it writes {changed[0][0]!r}, but only behaviors and stages write"
+            raise broke(self._scenario.name, what, function, how)
+
+    def _values(self, feature: Feature) -> Iterator[float]:
+        """What everyone sees, of every target that means somebody."""
+        if feature.whose == "group":
+            yield from (self._senses.group_feature(feature.name, members) for members in (EVERYONE, range(3)))
+            return
+        for agent in EVERYONE:
+            for targets in self._targets(agent, len(feature.parameters)):
+                yield self._senses.feature(feature.name, agent, targets)
 
     def _targets(self, agent: int, parameters: int) -> list[tuple[int, ...]]:
         """For every target that means somebody, as many of it as there are parameters."""
         if parameters == 0:
             return [()]
-        found = (self._senses.target(name, range(AGENTS), agent) for name in self._scenario.targets)
+        found = (self._senses.target(name, EVERYONE, agent) for name in self._scenario.targets)
         return [(entity,) * parameters for entity in found if entity != NO_ENTITY]
-
-    def _refuse_no_value(self, name: str, function: Callable[..., Any], value: float) -> None:
-        feature = self._scenario.vocabulary.features[name]
-        if not is_value(feature, value):
-            raise broke(
-                self._scenario.name, name, function, f"it gave {value!r}; allowed: {allowed(feature)}"
-            )
 
     def _act(self) -> None:
         """Let every agent do something, in both orders."""
-        for agent in range(AGENTS):
+        for agent in EVERYONE:
             self._world.drive[agent] = self._world.turn[agent] = 0.0
-        acts = [act for agent in range(AGENTS) if (act := self._chosen(agent)) is not None]
+        acts = [act for agent in EVERYONE if (act := self._chosen(agent)) is not None]
         before = self._frozen()
         for act in reversed(acts):
             self._perform(*act)
