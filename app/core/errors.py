@@ -39,3 +39,7 @@ class ParameterError(UnderstudyError):
 
 class SessionError(UnderstudyError):
     """A command came at a moment or for a node where it cannot be obeyed."""
+
+
+class ProgramError(UnderstudyError):
+    """Behaviors cannot be turned into the flat tables that the compiled kernel steps; the reference engine runs them."""

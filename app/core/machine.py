@@ -110,7 +110,7 @@ class Machine:
     def use(self, types: Types, classifiers: Classifiers) -> None:
         """Decide by these libraries and models; `app.core.machine_state.rebase` does so while nodes are running."""
         self.types = types
-        self._classifiers = classifiers
+        self.classifiers = classifiers
         self._agent_features = statistic_vocabulary(types)
 
     # ------------------------------------------------------------------------------------------ one tick
@@ -180,12 +180,12 @@ class Machine:
     def outcome(self, actor: Actor, run: Run, senses: Senses) -> Outcome:
         """The distribution over next states of the automaton that *run* is."""
         automaton = _automaton(run)
-        classifier = self._classifiers(actor.node.type, automaton, run.state)
+        classifier = self.classifiers(actor.node.type, automaton, run.state)
         seen: dict[str, float] = {}
 
         def value(feature_id: str) -> float:
             if feature_id not in seen:
-                seen[feature_id] = self.value(actor, run, automaton.feature(feature_id), senses)
+                seen[feature_id] = self.value(actor, run, _feature(automaton, feature_id), senses)
             return seen[feature_id]
 
         return distribution(automaton, run.state, classifier, value)
@@ -365,6 +365,16 @@ def _state(automaton: Automaton, state_id: str) -> State:
     if not automaton.has_state(state_id):
         raise LibraryError(f"there is no state {state_id!r} to enter: {_states(automaton)}")
     return automaton.state(state_id)
+
+
+def _feature(automaton: Automaton, feature_id: str) -> FeatureUse:
+    try:
+        return automaton.feature(feature_id)
+    except KeyError:
+        there = ", ".join(use.id for use in automaton.features) or "none"
+        raise LibraryError(
+            f"{automaton.name!r} has no feature {feature_id!r} to test; its features are: {there}"
+        ) from None
 
 
 def _states(automaton: Automaton) -> str:

@@ -40,11 +40,13 @@ class Control:
         picks: Node id -> state that the user picked.
         taught: Nodes that change state by picks only.
         still: Nodes that do not tick.
+        listen: Whether the engine's observer has to be told who leaves a state; nobody listening is faster.
     """
 
     picks: Mapping[str, str] = field(default_factory=dict)
     taught: frozenset[str] = frozenset()
     still: frozenset[str] = frozenset()
+    listen: bool = True
 
 
 FREE = Control()

@@ -1,6 +1,7 @@
 """The plain-Python engine: slow, obvious, and the specification of every other one (DESIGN section 6)."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import isfinite
 from typing import Any
 
@@ -46,7 +47,7 @@ class ReferenceEngine:
             for stage in ("resolve", "kinematics", "after_tick"):
                 self._stage(stage)
             self.world.clock[TICK] += 1
-            control = Control(taught=control.taught, still=control.still)
+            control = replace(control, picks={})
 
     def _act(self, actions: list[Action]) -> None:
         agents = self.world.agents

@@ -1,0 +1,131 @@
+"""The kernel of a scenario: generated once for each hash of all that it is made of, compiled once, kept on disk.
+
+numba caches a compiled function beside the file that it stands in and looks at nothing but that file. So the name of the
+generated file holds a hash of the scenario's functions, the kernel's own, and the versions of numba and Python.
+"""
+
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from threading import RLock
+from types import FunctionType, ModuleType
+from typing import Any
+
+import numba
+import numpy as np
+from numba.core.errors import NumbaError
+from numpy.typing import NDArray
+from platformdirs import user_cache_path
+
+from ...core.errors import ScenarioError
+from ..scenario import Scenario
+from . import columns, drawing, linking, tick
+from .source import Layout, kernel_source, scenario_functions
+
+#: Told in a few words what takes time.
+Notice = Callable[[str], None]
+Addresses = NDArray[np.int64]
+#: Steps a world: addresses of its columns and of those of its program and runs, scalars, sizes, and how many ticks.
+Kernel = Callable[..., None]
+
+#: With more functions than this, those with loops are not put into their callers: compiling would take minutes.
+MOST_INLINED = 25
+_LOCK = RLock()
+_KERNELS: dict[str, Kernel] = {}
+
+
+def build(
+    scenario: Scenario, layout: Layout, notice: Notice | None = None, folder: Path | None = None
+) -> Kernel:
+    """The compiled kernel of a scenario.
+
+    Args:
+        notice: Told when it has to be compiled, which takes some ten seconds.
+        folder: Where generated modules are kept; the user's cache folder by default.
+
+    Raises:
+        ScenarioError: numba cannot compile one of the scenario's functions.
+    """
+    source = kernel_source(scenario, layout)
+    name = "kernel_" + _digest(scenario, source)
+    with _LOCK:
+        if name not in _KERNELS:
+            _KERNELS[name] = _compiled(scenario, source, name, folder or cache_folder(), notice)
+        return _KERNELS[name]
+
+
+def cache_folder() -> Path:
+    """Where compiled kernels are kept."""
+    return user_cache_path("understudy") / "kernels"
+
+
+def _digest(scenario: Scenario, source: str) -> str:
+    functions = {**scenario_functions(scenario), "run": tick.run}
+    for module in (columns, drawing, linking):
+        source += Path(str(module.__file__)).read_text(encoding="utf-8")
+    versions = f"{numba.__version__} {np.__version__} {sys.version}"
+    return hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
+
+
+def _compiled(scenario: Scenario, source: str, name: str, folder: Path, notice: Notice | None) -> Kernel:
+    path = _written(folder / f"{name}.py", source)
+    if notice is not None and not list(path.parent.glob(f"__pycache__/{name}.*.nbi")):
+        notice(f"compiling the kernel of {scenario.name!r}, once")
+    module = _loaded(scenario, name, path)
+    kernel: Kernel = module.kernel
+    nothing = np.zeros(1, np.int64)
+    try:
+        kernel(*_no_world(module), nothing, 0)
+    except NumbaError as error:
+        raise ScenarioError(f"scenario {scenario.name!r} cannot be compiled: {_gist(error)}") from error
+    return kernel
+
+
+def _no_world(module: ModuleType) -> list[Addresses]:
+    """Addresses and scalars enough to pass no tick."""
+    return [np.zeros(length, np.int64) for length in module.LENGTHS]
+
+
+def _written(path: Path, source: str) -> Path:
+    """The file, whole at every moment, so that other processes may write and read the same one."""
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part = path.with_name(f"{path.stem}.{os.getpid()}.part")
+        part.write_text(source, encoding="utf-8")
+        part.replace(path)
+    return path
+
+
+def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
+    """The generated module; numba finds it again by its name when it reads its cache."""
+    spec = spec_from_file_location(name, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    functions = scenario_functions(scenario)
+    linker = linking.Linker(_compile_one, drawing.TWINS, inline_loops=len(functions) <= MOST_INLINED)
+    vars(module).update({called: linker.linked(function) for called, function in functions.items()})
+    vars(module).update(
+        column_f=columns.column_f,
+        column_i=columns.column_i,
+        compiled=numba.njit(nogil=True, cache=True),
+        inlined=numba.njit(forceinline=True),
+        linked=lambda **instead: linker.linked(tick.run, instead),
+    )
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def _compile_one(function: FunctionType, inline: bool) -> Any:  # noqa: FBT001 - the shape of `linking.Compile`
+    return numba.njit(nogil=True, forceinline=inline)(function)
+
+
+def _gist(error: NumbaError) -> str:
+    """The lines of numba's message that name the function and what is wrong with it."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    told = [line for line in lines if not line.startswith(("During", "There are", ">>>", "[1m"))]
+    return " / ".join(dict.fromkeys(told[-4:]))[:400]

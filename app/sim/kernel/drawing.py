@@ -1,0 +1,37 @@
+"""Chance in compiled code: the same draws as `app.core.chance`, to the bit."""
+
+import numpy as np
+from numba import njit
+
+from ...core import chance
+
+_GOLDEN, _WHO, _TICK = np.uint64(chance.GOLDEN), np.uint64(chance.WHO), np.uint64(chance.TICK)
+_MIX_1, _MIX_2 = np.uint64(chance.MIX_1), np.uint64(chance.MIX_2)
+_30, _27, _31, _11 = np.uint64(30), np.uint64(27), np.uint64(31), np.uint64(11)
+_U = np.uint64
+_UNIT = chance.UNIT
+_FIRST_SCENARIO_DRAW = chance.FIRST_SCENARIO_DRAW
+
+
+@njit(forceinline=True)
+def _mix(value):  # type: ignore[no-untyped-def]
+    value = (value ^ (value >> _30)) * _MIX_1
+    value = (value ^ (value >> _27)) * _MIX_2
+    return value ^ (value >> _31)
+
+
+@njit(forceinline=True)
+def draw(key, tick, who, number):  # type: ignore[no-untyped-def]
+    """`app.core.chance.draw`."""
+    first = _mix(_U(key) + _U(tick) * _TICK + _U(who) * _WHO)
+    return np.float64(_mix(first + _U(number) * _GOLDEN) >> _11) * _UNIT
+
+
+@njit(forceinline=True)
+def uniform(clock, who, number):  # type: ignore[no-untyped-def]
+    """`app.core.chance.uniform`."""
+    return draw(clock[3], clock[2], who, _FIRST_SCENARIO_DRAW + number)
+
+
+#: What stands in for the plain functions in compiled code.
+TWINS = {chance.draw: draw, chance.uniform: uniform}

@@ -1,0 +1,230 @@
+"""The compiled engine: free ticks in the kernel, all others by the reference engine on the same world and nodes.
+
+There is one truth at a time, in columns or in plain Python; it is carried over when the other side is needed.
+"""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.errors import ProgramError
+from ...core.library import Types
+from ...core.machine import Classifiers, Leaving, Machine, Senses, stored_classifiers
+from ..engine import FREE, Control, Start
+from ..program import Needs, Program, lower, needs_of
+from ..reference import ReferenceEngine
+from ..world import TICK, FrozenWorld
+from .build import Notice
+from .flat import FlatWorld
+from .state import put_back, runs_of
+
+#: The most ticks of nodes that pass in one call, about a tenth of a second: then Python hears an interrupt.
+SLICE = 1_000_000
+
+
+class KernelEngine:
+    """One world stepped by the compiled kernel of its scenario.
+
+    Lessons (someone is taught or stands still), behaviors that have no flat form, and ticks in which an observer listens
+    are left to the reference engine, with the same results.
+
+    Attributes:
+        obstacle: Why the last free ticks were left to the reference engine; empty if they were not.
+    """
+
+    def __init__(
+        self,
+        start: Start,
+        leaving: Leaving | None = None,
+        classifiers: Classifiers = stored_classifiers,
+        notice: Notice | None = None,
+        folder: Path | None = None,
+    ) -> None:
+        """Begin a run.
+
+        Args:
+            leaving: Told of every change of state at the top of a node, in ticks whose control listens.
+            notice: Told when the kernel has to be compiled.
+            folder: Where compiled kernels are kept; the user's cache folder by default.
+
+        Raises:
+            ScenarioError: The scenario cannot be compiled, or its reset failed.
+        """
+        self.start = start
+        self.obstacle = ""
+        self.senses: Senses = _FreshSenses(self)
+        self._observed = leaving is not None
+        self._reference = ReferenceEngine(start, leaving, classifiers)
+        self._flat = FlatWorld(start.scenario, self._reference.world, notice, folder)
+        self._lowered: _Lowered | None = None
+        self._in_columns = False  # where the truth is
+        self._copied = True  # whether plain Python says the same
+
+    # ---------------------------------------------------------------------------------------- passing ticks
+
+    def step(self, ticks: int = 1, control: Control = FREE) -> None:
+        """Pass ticks; picks take effect in the first of them."""
+        goal = self.tick + ticks
+        if self._is_free(control):
+            while self.tick < goal and self._to_columns():
+                self._run(min(goal - self.tick, max(1, SLICE // len(self._reference.machine.actors))))
+        if self.tick < goal:
+            self._to_python()
+            self._reference.step(goal - self.tick, control)
+
+    def _is_free(self, control: Control) -> bool:
+        """Whether nobody interferes and nobody listens."""
+        heard = self._observed and control.listen
+        return not (control.picks or control.taught or control.still or heard)
+
+    def _run(self, ticks: int) -> None:
+        """Pass ticks in the kernel; if something goes wrong in one, go back and let the reference engine say what."""
+        before, first = self._flat.copy(), self.tick
+        self._copied = False
+        try:
+            if self._flat.run(ticks):
+                return
+        except (ArithmeticError, ValueError, IndexError):
+            pass
+        passed = self.tick - first
+        self._flat.paste(before)
+        self._flat.run(passed)
+        self._to_python()
+        self._reference.step()
+
+    # ------------------------------------------------------------------------------------ carrying it over
+
+    def _to_columns(self) -> bool:
+        """Carry the truth over to the columns; False, with the reason, where it has no flat form."""
+        if not self._in_columns:
+            machine = self._reference.machine
+            try:
+                program = self._program(machine)
+                runs = runs_of(machine, program)
+            except ProgramError as error:
+                self.obstacle = str(error)
+                return False
+            self._flat.use(program, runs)
+            self._flat.read(self._reference.world)
+            self._in_columns, self._copied, self.obstacle = True, True, ""
+        return True
+
+    def _program(self, machine: Machine) -> Program:
+        needs = needs_of(machine)
+        if self._lowered is None or not self._lowered.serves(machine, needs):
+            self._lowered = _Lowered(self.start, machine, needs)
+        return self._lowered.program
+
+    def _copy(self) -> None:
+        """Let plain Python say the same as the columns."""
+        if not self._copied:
+            assert self._lowered is not None
+            self._flat.write(self._reference.world)
+            put_back(self._flat.runs, self._lowered.program, self._reference.machine, self.tick)
+            self._copied = True
+
+    def _to_python(self) -> None:
+        self._copy()
+        self._in_columns = False
+
+    # --------------------------------------------------------------------------------------- looking at it
+
+    @property
+    def tick(self) -> int:
+        """The tick that comes next; as many have passed."""
+        return int(self._flat.world["clock"][TICK]) if self._in_columns else self._reference.tick
+
+    @property
+    def machine(self) -> Machine:
+        """What all nodes do now; ask again after ticks have passed."""
+        self._to_python()
+        return self._reference.machine
+
+    @property
+    def shown(self) -> Machine:
+        """What all nodes do now, only to be looked at: faster than `machine`, which may be changed."""
+        self._copy()
+        return self._reference.machine
+
+    def frozen_world(self) -> FrozenWorld:
+        """A copy of the world."""
+        if not self._in_columns or not self._is_finite():
+            self._copy()
+            return self._reference.frozen_world()
+        return {name: tuple(self._flat.numbers(name)) for name in self._flat.world}
+
+    def _is_finite(self) -> bool:
+        return all(bool(np.isfinite(column).all()) for column in self._flat.world.values())
+
+    def measures(self) -> Mapping[str, float]:
+        """The scenario's measures now."""
+        if not self._in_columns:
+            return self._reference.measures()
+        return {n: float(self._flat.world[column][0]) for n, column in self.start.scenario.measures.items()}
+
+    @property
+    def progressed(self) -> int:
+        """The tick of the last progress, -1 if there was none."""
+        return int(self._flat.world["progressed"][0]) if self._in_columns else self._reference.progressed
+
+    def spans(self) -> Mapping[str, range]:
+        """The entities of each kind."""
+        return self._reference.spans()
+
+    def sensed(self) -> Senses:
+        """What can be sensed now, of the plain world."""
+        self._copy()
+        return self._reference.senses
+
+    # ------------------------------------------------------------------------------------------ changing it
+
+    def restore(
+        self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, Any]
+    ) -> None:
+        """Go back to a copied world, and to what all nodes did then; chance goes on as it did there."""
+        self._to_python()
+        self._reference.restore(world, machine)
+
+    def move(self, entity: int, x: float, y: float) -> None:
+        """Put an entity somewhere else, in world units, as far as the scenario allows."""
+        self._to_python()
+        self._reference.move(entity, x, y)
+
+
+class _Lowered:
+    """A program with what it was made of."""
+
+    def __init__(self, start: Start, machine: Machine, needs: Needs) -> None:
+        self._types: Types = machine.types
+        self._classifiers = machine.classifiers
+        self._needs = needs
+        self.program = lower(start.hierarchy, machine.types, start.scenario, machine.classifiers, needs)
+
+    def serves(self, machine: Machine, needs: Needs) -> bool:
+        """Whether nothing has changed that would need another program."""
+        return (
+            machine.types is self._types
+            and machine.classifiers is self._classifiers
+            and self._needs.covers(needs)
+        )
+
+
+class _FreshSenses:
+    """What an engine's world is like at the moment of asking."""
+
+    def __init__(self, engine: KernelEngine) -> None:
+        self._engine = engine
+
+    def feature(self, name: str, agent: int, targets: tuple[int, ...]) -> float:
+        """An agent's feature."""
+        return self._engine.sensed().feature(name, agent, targets)
+
+    def group_feature(self, name: str, members: range) -> float:
+        """A controller's own feature."""
+        return self._engine.sensed().group_feature(name, members)
+
+    def target(self, name: str, members: range, performer: int) -> int:
+        """The entity a target name means."""
+        return self._engine.sensed().target(name, members, performer)

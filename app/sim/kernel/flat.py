@@ -1,0 +1,99 @@
+"""A world and what its nodes do, as columns that a kernel steps."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from ..program.tables import TABLE_COLUMNS, Column, Program, Sizes
+from ..scenario import Scenario, World
+from .build import Addresses, Notice, build
+from .source import SIZES, layout_of
+from .state import RUN_COLUMNS
+from .tick import ENTITIES, FAULT
+
+
+class FlatWorld:
+    """Columns of one world, and the kernel that steps them.
+
+    Attributes:
+        world: Name -> column.
+    """
+
+    def __init__(self, scenario: Scenario, world: World, notice: Notice | None, folder: Path | None) -> None:
+        """Make room for a world of this shape.
+
+        Raises:
+            ScenarioError: The scenario cannot be compiled.
+        """
+        layout = layout_of(world, scenario)
+        self._kernel = build(scenario, layout, notice, folder)
+        self.world: dict[str, Column] = {
+            name: np.zeros(max(1, len(getattr(world, name))), _DTYPES[letter])
+            for name, letter in layout.columns.items()
+        }
+        self._lengths = {name: len(getattr(world, name)) for name in layout.columns}
+        self._parameters = {
+            letter: np.array(
+                [v for n, v in world.params._asdict().items() if layout.parameters[n] == letter] or [0],
+                _DTYPES[letter],
+            )
+            for letter in ("f", "i")
+        }
+        self._scalars = [int(getattr(world, name)) for name in layout.scalars]
+        self._world_at = _addresses([*self.world.values(), *self._parameters.values()])
+        self.runs: Mapping[str, Column] = {}
+        self._program: Program | None = None
+        self._tables_at = self._runs_at = self._sizes = np.zeros(0, np.int64)
+
+    def use(self, program: Program, runs: Mapping[str, Column]) -> None:
+        """Let the nodes do what *runs* say."""
+        if program is not self._program:
+            self._program = program
+            self._tables_at = _addresses([program.columns[name] for name in TABLE_COLUMNS])
+            self._sizes = np.array([*self._scalars, *_sizes(program.sizes)], np.int64)
+        self.runs = runs
+        self.runs["once"][ENTITIES] = self._lengths["x"]
+        self._runs_at = _addresses([runs[name] for name in RUN_COLUMNS])
+
+    def run(self, ticks: int) -> bool:
+        """Pass ticks; False if a function of the scenario answered with what it cannot mean."""
+        self.runs["once"][FAULT] = 0
+        self._kernel(self._world_at, self._tables_at, self._runs_at, self._sizes, ticks)
+        return bool(self.runs["once"][FAULT] == 0)
+
+    def read(self, world: World) -> None:
+        """Take over the columns of a plain world."""
+        for name, column in self.world.items():
+            column[: self._lengths[name]] = getattr(world, name)
+
+    def write(self, world: World) -> None:
+        """Put the columns back into a plain world."""
+        for name in self.world:
+            getattr(world, name)[:] = self.numbers(name)
+
+    def numbers(self, name: str) -> list[float] | list[int]:
+        """A column of the world as plain numbers."""
+        numbers: list[float] | list[int] = self.world[name][: self._lengths[name]].tolist()
+        return numbers
+
+    def copy(self) -> list[Column]:
+        """A copy of everything."""
+        return [column.copy() for column in (*self.world.values(), *self.runs.values())]
+
+    def paste(self, copy: list[Column]) -> None:
+        """Go back to a copy."""
+        for column, before in zip((*self.world.values(), *self.runs.values()), copy, strict=True):
+            column[:] = before
+
+
+_DTYPES = {"f": np.float64, "i": np.int64}
+
+
+def _addresses(columns: list[Column]) -> Addresses:
+    return np.array([column.ctypes.data for column in columns], np.int64)
+
+
+def _sizes(sizes: Sizes) -> list[int]:
+    named = {"slots_most": sizes.slots}
+    return [named[name] if name in named else getattr(sizes, name) for name in SIZES]

@@ -1,0 +1,256 @@
+"""What the nodes do as flat columns, and the way to and from `app.core.actor.Actor`."""
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from ...core.actor import Actor, Argument, Arguments, Run
+from ...core.automaton import START, Automaton
+from ...core.errors import ProgramError
+from ...core.machine import Machine
+from ...core.vocabulary import BasicBehavior
+from ..program.tables import NO_KEY, Column, Program, Sizes
+from .tick import MACHINE_KEY
+
+#: Column name -> float64 ("f") or int64 ("i"), in the order in which a kernel takes them.
+RUN_COLUMNS: Mapping[str, str] = {
+    # nodes
+    "depth": "i",  # runs in the chain; 0 idles
+    "node_flags": "i",  # flags of the agent itself
+    "left": "i",
+    "direction": "i",  # basic behavior last directed, or -1
+    "direction_argument": "i",  # its targets
+    "direction_owner": "i",  # and who bound them
+    # runs
+    "what": "i",  # automaton, or -1 - basic behavior
+    "state": "i",
+    "entered": "i",
+    "flags": "i",
+    "pulsed": "i",
+    "keys": "i",  # what decided last
+    "argument": "i",
+    "owner": "i",
+    # agents
+    "act": "i",  # behavior to be performed in this tick, or -1
+    "act_on": "i",  # its entities
+    # once
+    "once": "i",
+    # what was found in this tick
+    "use_stamp": "i",
+    "use_value": "f",
+    "target_stamp": "i",
+    "target_owner": "i",
+    "target_entity": "i",
+    # room to work in
+    "sense_on": "i",
+    "entry": "i",
+    "entry_share": "f",
+    "kept": "f",
+    "total": "f",
+    "tree_leaf": "i",
+    "state_total": "f",
+    "stack": "i",
+}
+
+
+def new_runs(sizes: Sizes) -> dict[str, Column]:
+    """Columns for a program in which every node idles."""
+    lengths = _lengths(sizes)
+    columns: dict[str, Column] = {
+        name: np.zeros(max(1, lengths[name]), np.float64 if letter == "f" else np.int64)
+        for name, letter in RUN_COLUMNS.items()
+    }
+    columns["direction"][:] = -1
+    columns["act"][:] = -1
+    return columns
+
+
+def _lengths(sizes: Sizes) -> Mapping[str, int]:
+    rows, agents = sizes.nodes * sizes.levels, sizes.nodes - sizes.controllers
+    per_node = dict.fromkeys(("depth", "node_flags", "left", "direction", "stack"), sizes.nodes)
+    per_run = dict.fromkeys(("what", "state", "entered", "flags", "pulsed"), rows)
+    return {
+        **per_node,
+        **per_run,
+        **dict.fromkeys(("direction_argument", "direction_owner"), sizes.nodes * sizes.arguments),
+        "keys": rows * sizes.key_words,
+        **dict.fromkeys(("argument", "owner"), rows * sizes.arguments),
+        "act": agents,
+        "act_on": agents * sizes.slots,
+        "once": 4,
+        **dict.fromkeys(("use_stamp", "use_value"), sizes.uses),
+        **dict.fromkeys(("target_stamp", "target_owner", "target_entity"), sizes.targets),
+        "sense_on": sizes.slots,
+        **dict.fromkeys(("entry", "entry_share", "kept", "total"), sizes.entries),
+        "tree_leaf": sizes.key_words,
+        "state_total": sizes.states,
+    }
+
+
+# --------------------------------------------------------------------------------------- from the machine
+
+
+def runs_of(machine: Machine, program: Program) -> dict[str, Column]:
+    """What the nodes of *machine* do, as columns.
+
+    Raises:
+        ProgramError: A node does something that the program does not know.
+    """
+    writer = _Writer(program)
+    for node, actor in enumerate(machine.actors.values()):
+        writer.node(node, actor)
+    columns = new_runs(program.sizes)
+    for name, values in writer.columns.items():
+        columns[name][: len(values)] = values
+    columns["once"][MACHINE_KEY] = machine.key
+    return columns
+
+
+class _Writer:
+    """Fills lists, which plain Python writes several times faster than arrays."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._sizes = program.sizes
+        self._nodes = {node_id: k for k, node_id in enumerate(program.nodes)}
+        self._targets = {name: k for k, name in enumerate(program.targets)}
+        self._flags = {name: 1 << k for k, name in enumerate(program.flags)}
+        lengths = _lengths(program.sizes)
+        self.columns = {name: [0] * lengths[name] for name in _SAVED}
+        self.columns["direction"] = [-1] * lengths["direction"]
+
+    def node(self, node: int, actor: Actor) -> None:
+        columns, level, run = self.columns, 0, actor.run
+        columns["node_flags"][node] = self._mask(actor.flags)
+        columns["left"][node] = int(actor.left)
+        if actor.direction is not None:
+            name, arguments = actor.direction
+            row = self._program.basic_rows[actor.node.type, name]
+            columns["direction"][node] = row
+            parameters = self._program.basics[row][1].parameters
+            self._arguments("direction_", node, parameters, arguments)
+        while run is not None:
+            self._run(node * self._sizes.levels + level, actor.node.type, run)
+            level, run = level + 1, run.child
+        columns["depth"][node] = level
+
+    def _run(self, row: int, kind: str, run: Run) -> None:
+        columns, state = self.columns, 0
+        if isinstance(run.behavior, Automaton):
+            what = self._program.automaton_rows[kind, run.behavior.id]
+            state = self._program.automata[what].states[run.state]
+        else:
+            what = -1 - self._program.basic_rows[kind, run.behavior.name]
+        columns["what"][row] = what
+        columns["state"][row] = state
+        columns["entered"][row] = run.entered
+        columns["flags"][row] = self._mask(run.flags)
+        columns["pulsed"][row] = int(run.pulsed)
+        words = self._program.key_words(state, run.key) if state else [NO_KEY]
+        at = row * self._sizes.key_words
+        columns["keys"][at : at + len(words)] = words
+        self._arguments("", row, run.behavior.parameters, run.arguments)
+
+    def _arguments(self, kind: str, row: int, parameters: Iterable[str], arguments: Arguments) -> None:
+        at = row * self._sizes.arguments
+        if arguments.keys() != set(parameters):
+            raise ProgramError("a node runs a behavior with other arguments than it has parameters")
+        for k, parameter in enumerate(parameters):
+            given = arguments[parameter]
+            if given.target not in self._targets:
+                raise ProgramError(
+                    f"a node runs a behavior for a target {given.target!r} that does not exist"
+                )
+            self.columns[kind + "argument"][at + k] = self._targets[given.target]
+            self.columns[kind + "owner"][at + k] = self._nodes[given.owner]
+
+    def _mask(self, flags: Iterable[str]) -> int:
+        return sum(self._flags[flag] for flag in flags)
+
+
+#: What is kept between ticks.
+_SAVED = (
+    "depth",
+    "node_flags",
+    "left",
+    "direction",
+    "direction_argument",
+    "direction_owner",
+    "what",
+    "state",
+    "entered",
+    "flags",
+    "pulsed",
+    "keys",
+    "argument",
+    "owner",
+)
+
+
+# ----------------------------------------------------------------------------------------- to the machine
+
+
+def put_back(columns: Mapping[str, Column], program: Program, machine: Machine, now: int) -> None:
+    """Let the nodes of *machine* do what the columns say."""
+    reader = _Reader(columns, program)
+    machine.now = now
+    for node, actor in enumerate(machine.actors.values()):
+        reader.node(node, actor)
+
+
+class _Reader:
+    def __init__(self, columns: Mapping[str, Column], program: Program) -> None:
+        self._program = program
+        self._sizes = program.sizes
+        self._columns: dict[str, list[int]] = {name: columns[name].tolist() for name in _SAVED}
+
+    def node(self, node: int, actor: Actor) -> None:
+        columns = self._columns
+        actor.flags = self._flags(columns["node_flags"][node])
+        actor.left = bool(columns["left"][node])
+        if (row := columns["direction"][node]) >= 0:
+            basic = self._program.basics[row][1]
+            actor.direction = (basic.name, self._arguments("direction_", node, basic.parameters))
+        actor.run = self._chain(node)
+
+    def _chain(self, node: int) -> Run | None:
+        first = node * self._sizes.levels
+        chain: Run | None = None
+        for row in reversed(range(first, first + self._columns["depth"][node])):
+            run = self._run(row)
+            run.child = chain
+            chain = run
+        return chain
+
+    def _run(self, row: int) -> Run:
+        columns, what, state = self._columns, self._columns["what"][row], self._columns["state"][row]
+        behavior: Automaton | BasicBehavior
+        if what >= 0:
+            behavior = self._program.automata[what].automaton
+            at = row * self._sizes.key_words
+            key = self._program.key(state, columns["keys"][at : at + self._sizes.key_words])
+        else:
+            behavior, key = self._program.basics[-1 - what][1], None
+        return Run(
+            behavior,
+            self._arguments("", row, behavior.parameters),
+            self._flags(columns["flags"][row]),
+            self._program.states[state].id if what >= 0 else START,
+            columns["entered"][row],
+            None,
+            key,
+            bool(columns["pulsed"][row]),
+        )
+
+    def _arguments(self, kind: str, row: int, parameters: Iterable[str]) -> Arguments:
+        at = row * self._sizes.arguments
+        return {
+            parameter: Argument(
+                self._program.targets[self._columns[kind + "argument"][at + k]],
+                self._program.nodes[self._columns[kind + "owner"][at + k]],
+            )
+            for k, parameter in enumerate(parameters)
+        }
+
+    def _flags(self, mask: int) -> set[str]:
+        return {name for k, name in enumerate(self._program.flags) if mask >> k & 1} if mask else set()

@@ -1,0 +1,474 @@
+"""Lowering: what the nodes of a forest may come to run, found from what they run now, as rows of flat tables."""
+
+from collections.abc import Hashable, Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...core.actor import actors
+from ...core.automaton import (
+    START,
+    Automaton,
+    Basic,
+    Content,
+    Nested,
+    RaiseFlag,
+    Sampling,
+    State,
+    successors,
+)
+from ...core.errors import ProgramError, UnderstudyError
+from ...core.features import (
+    Binding,
+    Bindings,
+    FeatureUse,
+    FlagUp,
+    Ground,
+    Operation,
+    Over,
+    Sense,
+    Statistic,
+    TicksInState,
+    describe,
+    empty_statistic,
+)
+from ...core.hierarchy import Hierarchy
+from ...core.library import Types, statistic_vocabulary
+from ...core.machine import Classifiers
+from ...core.tree import Forest, Tree
+from ...core.vocabulary import FINISHED, BasicBehavior, Feature
+from ..scenario import Scenario
+from . import tables
+from .code import Code, Transition
+from .needs import Needs
+from .tables import TABLE_COLUMNS, AutomatonRow, Program, Sizes, StateRow
+
+
+def lower(
+    hierarchy: Hierarchy, types: Types, scenario: Scenario, classifiers: Classifiers, needs: Needs
+) -> Program:
+    """The program of a forest whose nodes are in the middle of *needs*.
+
+    Raises:
+        ProgramError: Something that can be reached has no flat form: a classifier that is no tree, an open binding.
+    """
+    try:
+        return _Lowering(hierarchy, types, scenario, classifiers).program(needs)
+    except ProgramError:
+        raise
+    except (UnderstudyError, KeyError) as error:
+        raise ProgramError(f"not everything that may run can be lowered: {error}") from error
+
+
+@dataclass(slots=True)
+class _Rows:
+    """Columns while they grow, by name."""
+
+    columns: dict[str, list[int]] = field(default_factory=dict)
+
+    def add(self, **row: int) -> None:
+        for name, value in row.items():
+            self.columns.setdefault(name, []).append(value)
+
+
+class _Lowering:
+    def __init__(
+        self, hierarchy: Hierarchy, types: Types, scenario: Scenario, classifiers: Classifiers
+    ) -> None:
+        self._types = types
+        self._classifiers = classifiers
+        self._actors = list(actors(hierarchy).values())
+        self._agent_features = statistic_vocabulary(types)
+        self._type_rows = {name: k for k, name in enumerate(dict.fromkeys(a.node.type for a in self._actors))}
+        self._below = self._types_below()
+        self._features = {name: k for k, name in enumerate(scenario.features)}
+        self._behaviors = {name: k for k, name in enumerate(scenario.behaviors)}
+        self._targets = {name: k for k, name in enumerate(scenario.targets)}
+        self._automata: dict[tuple[str, str], AutomatonRow] = {}
+        self._basics: dict[tuple[str, str], BasicBehavior] = {}
+        self._automaton_rows: dict[tuple[str, str], int] = {}
+        self._basic_rows: dict[tuple[str, str], int] = {}
+        self._states: list[StateRow] = [StateRow(-1, "")]
+        self._flags: dict[str, int] = {}
+        self._uses: dict[Hashable, int] = {}
+        self._use_names: list[str] = []
+        self._bindings: list[int] = []
+        self._labels: list[int] = []
+        self._rows = _Rows()
+        self._floats: dict[str, list[float]] = {"default": [], "empty": []}
+        self._code = Code()
+        self._slots = 1
+        self._flag(FINISHED)
+
+    def _types_below(self) -> Mapping[str, tuple[str, ...]]:
+        below: dict[str, dict[str, None]] = {}
+        for actor in self._actors:
+            below.setdefault(actor.node.type, {}).update(dict.fromkeys(c.node.type for c in actor.children))
+        return {kind: tuple(found) for kind, found in below.items()}
+
+    # ----------------------------------------------------------------------------------- what is reached
+
+    def program(self, needs: Needs) -> Program:
+        for flag in sorted(needs.flags):
+            self._flag(flag)
+        self._find(needs)
+        self._automaton_rows = {key: row for row, key in enumerate(self._automata)}
+        self._basic_rows = {key: row for row, key in enumerate(self._basics)}
+        self._rows.add(**_STATE_NOWHERE)
+        for key, row in self._automata.items():
+            self._rows.add(start=row.states[START])
+            for state_id, number in row.states.items():
+                self._state(key, row.automaton.state(state_id), number)
+        for (kind, _), basic in self._basics.items():
+            self._basic(kind, basic)
+        self._nodes()
+        return self._assembled()
+
+    def _find(self, needs: Needs) -> None:
+        """Number all that can be reached: automata with the states that can be entered, and basic behaviors."""
+        extra: dict[tuple[str, str], set[str]] = {}
+        for kind, automaton_id, state_id in needs.states:
+            extra.setdefault((kind, automaton_id), set()).add(state_id)
+        waiting: list[tuple[str, str | BasicBehavior]] = sorted(needs.automata)
+        waiting += [
+            (kind, self._types.vocabulary(kind).behavior(name)) for kind, name in sorted(needs.basics)
+        ]
+        while waiting:
+            kind, what = waiting.pop()
+            if isinstance(what, BasicBehavior):
+                if (kind, what.name) not in self._basics:
+                    self._basics[kind, what.name] = what
+                    waiting += self._directed(kind, what)
+            elif (kind, what) not in self._automata:
+                waiting += self._number(kind, what, extra.get((kind, what), set()))
+
+    def _directed(self, kind: str, basic: BasicBehavior) -> list[tuple[str, str | BasicBehavior]]:
+        if not basic.derived:
+            return []
+        return [(below, self._started(below, basic)) for below in self._below.get(kind, ())]
+
+    def _started(self, kind: str, basic: BasicBehavior) -> str | BasicBehavior:
+        """What a node of *kind* starts when directed to do *basic*."""
+        repertoire = self._types.repertoire(kind)
+        if basic.name not in repertoire:
+            raise ProgramError(f"a subsidiary of type {kind!r} has no behavior {basic.name!r}")
+        found = repertoire[basic.name]
+        if found.parameters != basic.parameters:
+            raise ProgramError(f"{basic.name!r} of type {kind!r} has other parameters than its controller's")
+        return found if isinstance(found, BasicBehavior) else found.id
+
+    def _number(self, kind: str, automaton_id: str, extra: set[str]) -> list[tuple[str, str | BasicBehavior]]:
+        automaton = self._types.library(kind).get(automaton_id)
+        entered = _entered(automaton, extra)
+        row, states = len(self._automata), {}
+        for state in automaton.states:
+            if state.id in entered:
+                states[state.id] = len(self._states)
+                self._states.append(StateRow(row, state.id))
+        self._automata[kind, automaton_id] = AutomatonRow(kind, automaton, states)
+        held = [state.content for state in automaton.states if state.id in entered]
+        vocabulary = self._types.vocabulary(kind)
+        return [
+            (kind, vocabulary.behavior(content.behavior) if isinstance(content, Basic) else content.automaton)
+            for content in held
+            if isinstance(content, Basic | Nested)
+        ]
+
+    # ------------------------------------------------------------------------------------------ states
+
+    def _state(self, key: tuple[str, str], state: State, number: int) -> None:
+        kind, automaton = key[0], self._automata[key].automaton
+        transition = self._transition(key, state.id, number)
+        self._states[number] = StateRow(
+            self._states[number].automaton,
+            state.id,
+            tuple(rule.id for rule in transition.rules),
+            transition.labels,
+            len(transition.trees),
+            bool(transition.prunes),
+        )
+        content, held, slots, bindings = self._content(kind, state.content)
+        self._rows.add(
+            code=self._code.write(transition),
+            sampling=list(Sampling).index(automaton.settings.sampling),
+            labels_at=len(self._labels),
+            labels=len(transition.labels),
+            trees=len(transition.trees) if isinstance(transition.model, Forest) else 0,
+            prunable=int(bool(transition.prunes)),
+            content=content,
+            held=held,
+            bound_at=self._bound(slots, bindings, automaton),
+            bound=len(slots),
+        )
+        self._labels += [transition.goals(label) for label in transition.labels]
+
+    def _transition(self, key: tuple[str, str], state_id: str, number: int) -> Transition:
+        kind, automaton = key[0], self._automata[key].automaton
+        states = self._automata[key].states
+        model = self._classifiers(kind, automaton, state_id)
+        if not (model is None or isinstance(model, Tree | Forest)):
+            raise ProgramError(
+                f"state {state_id!r} of {automaton.name!r} decides by a {type(model).__name__}, not by trees"
+            )
+        if model is not None and model != automaton.learned.get(state_id):
+            raise ProgramError(
+                f"state {state_id!r} of {automaton.name!r} decides by another model than it stores"
+            )
+        if isinstance(model, Forest) and not model.trees:
+            raise ProgramError(f"state {state_id!r} of {automaton.name!r} has a forest without trees")
+        return Transition(
+            number,
+            automaton.rules_of(state_id),
+            model,
+            automaton.prunes_of(state_id) if model is not None else (),
+            automaton.settings.sampling,
+            lambda goal: states.get(goal, tables.NOWHERE),
+            lambda feature_id: self._use(key, automaton.feature(feature_id)),
+        )
+
+    def _content(self, kind: str, content: Content) -> tuple[int, int, tuple[str, ...], Bindings]:
+        match content:
+            case Basic(name, bindings):
+                key = (kind, name)
+                return tables.BASIC, self._basic_rows[key], self._basics[key].parameters, bindings
+            case Nested(automaton_id, bindings):
+                key = (kind, automaton_id)
+                nested = self._automata[key].automaton
+                return tables.NESTED, self._automaton_rows[key], nested.parameters, bindings
+            case RaiseFlag(flag):
+                return tables.FLAG, self._flag(flag), (), {}
+            case _:
+                return tables.NOTHING, 0, (), {}
+
+    def _flag(self, name: str) -> int:
+        """The mask of a flag."""
+        mask = self._flags.setdefault(name, 1 << len(self._flags))
+        if len(self._flags) > tables.MOST_BITS:
+            raise ProgramError(f"more than {tables.MOST_BITS} flags are in use")
+        return mask
+
+    def _bound(self, slots: Iterable[str], bindings: Bindings, automaton: Automaton) -> int:
+        """Write the bindings of *slots*; returns where they begin."""
+        at = len(self._bindings)
+        self._bindings += [self._binding(slot, bindings.get(slot), automaton) for slot in slots]
+        self._slots = max(self._slots, len(self._bindings) - at)
+        return at
+
+    def _binding(self, slot: str, binding: Binding | None, automaton: Automaton) -> int:
+        if isinstance(binding, Ground):
+            return self._targets[binding.target]
+        if binding is None or binding.name not in automaton.parameters:
+            raise ProgramError(f"{slot!r} is open somewhere in {automaton.name!r}")
+        return -1 - automaton.parameters.index(binding.name)
+
+    # ---------------------------------------------------------------------------------------- features
+
+    def _use(self, key: tuple[str, str], use: FeatureUse) -> int:
+        automaton = self._automata[key].automaton
+        identity = _identity(key, use)
+        if identity not in self._uses:
+            self._uses[identity] = len(self._use_names)
+            self._use_names.append(describe(use.source))
+            self._describe_use(key[0], automaton, use)
+        return self._uses[identity]
+
+    def _describe_use(self, kind: str, automaton: Automaton, use: FeatureUse) -> None:
+        match use.source:
+            case FlagUp(flag):
+                self._put_use(tables.FLAG_UP, flag=self._flag(flag))
+            case TicksInState():
+                self._put_use(tables.TICKS_IN_STATE)
+            case Sense(name, bindings):
+                feature = self._types.vocabulary(kind).feature(name)
+                if feature.whose == "group":
+                    self._put_use(tables.GROUP, feature=self._features[name])
+                else:
+                    at = self._bound(feature.parameters, bindings, automaton)
+                    self._put_sense(tables.SENSE, feature, at)
+            case Statistic(operation, of, over):
+                self._statistic(automaton, operation, of, direct=over is Over.SUBSIDIARIES)
+
+    def _statistic(
+        self, automaton: Automaton, operation: Operation, of: Sense | FlagUp, *, direct: bool
+    ) -> None:
+        number = list(Operation).index(operation)
+        if isinstance(of, FlagUp):
+            empty = empty_statistic(operation, 0.0)
+            self._put_use(
+                tables.STATISTIC_OF_FLAG,
+                empty,
+                flag=self._flag(of.flag),
+                statistic=number,
+                direct=int(direct),
+            )
+            return
+        feature = self._agent_features.feature(of.feature)
+        at = self._bound(feature.parameters, of.bindings, automaton)
+        empty = empty_statistic(operation, feature.default)
+        self._put_sense(tables.STATISTIC_OF_SENSE, feature, at, empty, statistic=number, direct=int(direct))
+
+    def _put_sense(self, source: int, feature: Feature, at: int, empty: float = 0.0, **rest: int) -> None:
+        self._put_use(
+            source,
+            empty,
+            feature.default,
+            feature=self._features[feature.name],
+            slots_at=at,
+            slots=len(feature.parameters),
+            **rest,
+        )
+
+    def _put_use(self, source: int, empty: float = 0.0, default: float = 0.0, **given: int) -> None:
+        row = dict.fromkeys(("feature", "slots_at", "slots", "flag", "statistic", "direct"), 0)
+        self._rows.add(source=source, **{**row, **given})
+        self._floats["default"].append(default)
+        self._floats["empty"].append(empty)
+
+    # ---------------------------------------------------------------------------- behaviors and nodes
+
+    def _basic(self, kind: str, basic: BasicBehavior) -> None:
+        self._slots = max(self._slots, len(basic.parameters))
+        self._rows.add(
+            behavior=-1 if basic.derived else self._behaviors[basic.name],
+            once=int(basic.runs_once),
+            raises=0 if basic.raises is None else self._flag(basic.raises),
+            finishes=int(basic.finishes),
+            derived=int(basic.derived),
+            arity=len(basic.parameters),
+        )
+        below = self._below.get(kind, ()) if basic.derived else ()
+        for name in self._type_rows:
+            self._rows.add(directs=self._what(name, self._started(name, basic)) if name in below else 0)
+
+    def _what(self, kind: str, started: str | BasicBehavior) -> int:
+        """How a run says what it is: an automaton's row, or -1 - a basic behavior's."""
+        if isinstance(started, BasicBehavior):
+            return -1 - self._basic_rows[kind, started.name]
+        return self._automaton_rows[kind, started]
+
+    def _nodes(self) -> None:
+        rows = {actor.node.id: k for k, actor in enumerate(self._actors)}
+        at = 0
+        for actor in self._actors:
+            self._rows.add(
+                type=self._type_rows[actor.node.type],
+                parent=-1 if actor.parent is None else rows[actor.parent],
+                first_member=actor.members.start,
+                end_member=actor.members.stop,
+                children_at=at,
+                children_end=at + len(actor.children),
+            )
+            for child in actor.children:
+                self._rows.add(child=rows[child.node.id])
+            at += len(actor.children)
+
+    # -------------------------------------------------------------------------------------- the result
+
+    def _assembled(self) -> Program:
+        code = self._code
+        found: dict[str, list[int] | list[float]] = {
+            **self._rows.columns,
+            **self._floats,
+            "binding": self._bindings,
+            "label": self._labels,
+        }
+        for name in ("operation", "use", "a", "b", "yes", "no", "goal", "mask", *_LEAF_COLUMNS):
+            found[name] = getattr(code, name)
+        return Program(
+            self._sizes(),
+            {name: _column(found.get(name, []), letter) for name, letter in TABLE_COLUMNS.items()},
+            tuple(self._automata.values()),
+            tuple((kind, basic) for (kind, _), basic in self._basics.items()),
+            tuple(self._states),
+            tuple(code.leaves),
+            self._automaton_rows,
+            self._basic_rows,
+            code.leaf_rows,
+            tuple(self._flags),
+            tuple(self._targets),
+            tuple(actor.node.id for actor in self._actors),
+            tuple(self._use_names),
+        )
+
+    def _sizes(self) -> Sizes:
+        automata = [row.automaton for row in self._automata.values()]
+        parameters = [behavior.parameters for behavior in (*self._basics.values(), *automata)]
+        return Sizes(
+            nodes=len(self._actors),
+            controllers=sum(not actor.is_agent for actor in self._actors),
+            types=len(self._type_rows),
+            levels=self._levels(),
+            arguments=max([1, *map(len, parameters)]),
+            key_words=tables.KEY_HEAD + max(1, *(state.trees for state in self._states)),
+            slots=self._slots,
+            entries=1 + max(len(state.rules) + len(state.labels) for state in self._states),
+            states=len(self._states),
+            uses=len(self._use_names),
+            targets=len(self._targets),
+        )
+
+    def _levels(self) -> int:
+        """The longest chain of automata that hold each other, and a basic behavior at its end."""
+        known: dict[tuple[str, str], int] = {}
+
+        def levels(key: tuple[str, str]) -> int:
+            if key not in known:
+                row = self._automata[key]
+                held = (row.automaton.state(state_id).content for state_id in row.states)
+                below = [levels((key[0], c.automaton)) for c in held if isinstance(c, Nested)]
+                known[key] = 1 + max(below, default=1)
+            return known[key]
+
+        for kind in self._types.types:
+            self._types.library(kind).refuse_cycle()
+        return max([1, *map(levels, self._automata)])
+
+
+_STATE_NOWHERE = dict.fromkeys(
+    (
+        "code",
+        "sampling",
+        "labels_at",
+        "labels",
+        "trees",
+        "prunable",
+        "content",
+        "held",
+        "bound_at",
+        "bound",
+    ),
+    0,
+)
+_LEAF_COLUMNS = ("shares_at", "certain", "share", "running")
+
+
+def _column(values: list[int] | list[float], letter: str) -> tables.Column:
+    """A column that nobody writes to; one entry at least, so that it has an address."""
+    column: tables.Column = np.array(values or [0], dtype=np.float64 if letter == "f" else np.int64)
+    column.flags.writeable = False
+    return column
+
+
+def _entered(automaton: Automaton, extra: set[str]) -> set[str]:
+    """The states that can be entered from Start, and from those that nodes are in."""
+    found = {START} | {state for state in extra if automaton.has_state(state)}
+    waiting = list(found)
+    while waiting:
+        for target in successors(automaton, waiting.pop()) - found:
+            if not automaton.has_state(target):
+                raise ProgramError(f"{automaton.name!r} goes on to a state {target!r} that it does not have")
+            found.add(target)
+            waiting.append(target)
+    return found
+
+
+def _identity(key: tuple[str, str], use: FeatureUse) -> Hashable:
+    """Uses that always have the same value for one node in one tick are one: those bound to ground targets alone."""
+    source = use.source
+    sense = source.of if isinstance(source, Statistic) else source
+    bindings = tuple(sorted(sense.bindings.items())) if isinstance(sense, Sense) else ()
+    if isinstance(sense, FlagUp | TicksInState) or any(not isinstance(b, Ground) for _, b in bindings):
+        return (*key, use.id)
+    shape = (source.operation, source.over) if isinstance(source, Statistic) else ()
+    assert isinstance(sense, Sense)
+    return (sense.feature, bindings, shape)
