@@ -134,17 +134,21 @@ def _wrong_value(
         return f"the key 'kind' is missing; allowed: {_either(kinds_at(model, loc))}"
     if kind == "union_tag_invalid":
         return f"the kind must be {_either(kinds_at(model, loc))}, but found {shown(context['tag'])}"
-    if kind == "string_unicode":
-        return "must be text, but found half of a surrogate pair"
     if kind == "too_short":
         return f"must have at least {context['min_length']} entry, but has {context['actual_length']}"
-    if kind == "recursion_loop":
+    if kind.startswith("recursion"):
         return "is nested too deeply"
     if kind == "float_type" and isinstance(value, int) and not isinstance(value, bool):
         return f"must be a number that float64 can hold, but found {shown(value)}"
     if kind in _EXPECTED:
-        return f"must be {_EXPECTED[kind].format(**context)}, but found {shown(value)}"
+        bounds = {name: _plain(bound) for name, bound in context.items()}
+        return f"must be {_EXPECTED[kind].format(**bounds)}, but found {shown(value)}"
     return str(error["msg"])
+
+
+def _plain(bound: object) -> object:
+    """A bound as people write it: 1, not 1.0."""
+    return int(bound) if isinstance(bound, float) and bound.is_integer() else bound
 
 
 def _either(names: Sequence[str]) -> str:

@@ -163,10 +163,12 @@ class _Saving:
         kind = record_of(path)
         try:
             record = kind.model_validate(document)
+            return written(record.model_dump(mode="json", exclude_defaults=True))
         except ValidationError as error:
             self._problems += of_document(path, kind, document, error)
-            return None
-        return written(record.model_dump(mode="json", exclude_defaults=True))
+        except TextError as error:
+            self._problems.append(Problem(path, error.where, error.message))
+        return None
 
 
 def _holds(path: Path, data: bytes) -> bool:

@@ -26,6 +26,9 @@ from .fields import (
 )
 from .tree_schema import ForestRecord, TreeRecord
 
+#: Levels of a forest: more than anyone needs, and few enough to walk without care.
+MOST_LEVELS = 64
+
 # ------------------------------------------------------------------------------------------------------- features
 
 
@@ -42,14 +45,14 @@ class BindingRecord(Record):
         return self
 
 
-BindingRecords = dict[Name, BindingRecord]
+BindingRecords = dict[str, BindingRecord]
 
 
 class SenseRecord(Record):
     """A feature that the scenario declares."""
 
     kind: Literal["sense"]
-    feature: Name
+    feature: str
     bindings: BindingRecords = {}
 
 
@@ -57,7 +60,7 @@ class FlagUpRecord(Record):
     """Whether the current sub-behavior has a flag up."""
 
     kind: Literal["flag"]
-    flag: Name
+    flag: str
 
 
 class TicksInStateRecord(Record):
@@ -92,7 +95,7 @@ class AtMostRecord(Record):
     """A continuous feature is at most *threshold*; the contrary where *wanted* is false, as in all conditions."""
 
     kind: Literal["at most"]
-    feature: Name
+    feature: str
     threshold: float
     wanted: bool = True
 
@@ -101,7 +104,7 @@ class EqualsRecord(Record):
     """A boolean or categorical feature has this value."""
 
     kind: Literal["equals"]
-    feature: Name
+    feature: str
     value: float
     wanted: bool = True
 
@@ -110,7 +113,7 @@ class InArcRecord(Record):
     """A toroidal feature lies in the arc from *start* up to *end*."""
 
     kind: Literal["in arc"]
-    feature: Name
+    feature: str
     start: float
     end: float
     wanted: bool = True
@@ -132,7 +135,7 @@ class BasicRecord(Record):
     """A basic behavior by name."""
 
     kind: Literal["basic"]
-    behavior: Name
+    behavior: str
     bindings: BindingRecords = {}
 
 
@@ -140,7 +143,7 @@ class NestedRecord(Record):
     """Another automaton by id."""
 
     kind: Literal["automaton"]
-    automaton: Name
+    automaton: str
     bindings: BindingRecords = {}
 
 
@@ -148,7 +151,7 @@ class RaiseFlagRecord(Record):
     """A flag state."""
 
     kind: Literal["flag"]
-    flag: Name
+    flag: str
 
 
 class StateRecord(Record):
@@ -166,9 +169,9 @@ class RuleRecord(Record):
     """An authored transition."""
 
     id: Name
-    source: Name
+    source: str
     guard: GuardRecord = []
-    target: Name
+    target: str
     probability: Probability = 1.0
 
 
@@ -176,15 +179,15 @@ class PruneRecord(Record):
     """Labels that the learned model may not choose."""
 
     id: Name
-    source: Name
+    source: str
     guard: GuardRecord = []
-    forbidden: list[Name]
+    forbidden: list[str]
 
 
 class SettingsRecord(Record):
     """How an automaton learns and samples."""
 
-    classifier: Name = "c45"
+    classifier: str = "c45"
     sampling: Annotated[Sampling, Field(strict=False)] = Sampling.SAMPLE
     pruning_confidence: Annotated[float, Field(gt=0, le=0.5)] | None = None
     options: dict[str, float] = {}
@@ -194,7 +197,7 @@ class RefitRecord(Record):
     """A learned model that is fitted again on load."""
 
     kind: Literal["refit"]
-    classifier: Name
+    classifier: str
 
 
 ModelRecord = Annotated[TreeRecord | ForestRecord | RefitRecord, Field(discriminator="kind")]
@@ -205,11 +208,11 @@ class AutomatonRecord(Record):
 
     id: FileName
     name: str
-    parameters: list[Name] = []
+    parameters: list[str] = []
     states: Annotated[list[StateRecord], Field(min_length=1)]
     features: list[FeatureUseRecord] = []
     rules: list[RuleRecord] = []
-    learned: dict[Name, ModelRecord] = {}
+    learned: dict[str, ModelRecord] = {}
     learned_from: str = ""
     prunes: list[PruneRecord] = []
     settings: SettingsRecord = SettingsRecord()
@@ -248,9 +251,9 @@ class ExampleRecord(Record):
     """What one pick recorded."""
 
     id: Name
-    source: Name
-    label: Name
-    values: dict[Name, float]
+    source: str
+    label: str
+    values: dict[str, float]
     continuation: bool = False
     enabled: bool = True
     weight: Weight = 1.0
@@ -277,7 +280,7 @@ class PickRecord(Record):
     """One act of a demonstrator's hand."""
 
     tick: Count
-    node: Name
+    node: str = ""
     state: str = ""
     act: Literal["pick", "should not have left", "undo", "test", "teach"] = "pick"
 
@@ -286,14 +289,14 @@ class DemonstrationRecord(Record):
     """``demonstrations/ID.json``: what a person's hand did."""
 
     id: FileName
-    type: Name
-    automaton: Name
+    type: str
+    automaton: str
     arm: str
     seed: Whole
     picks: list[PickRecord]
     ticks: Count
-    parameters: dict[Name, Scalar] = {}
-    arguments: dict[Name, Name] = {}
+    parameters: dict[str, Scalar] = {}
+    arguments: dict[str, str] = {}
     others: Literal["idle", "run"] = "idle"
     note: str = ""
 
@@ -306,7 +309,7 @@ class NodeTypeRecord(Record):
 
     name: TypeName
     level: Count = 0
-    subsidiaries: list[Name] = []
+    subsidiaries: list[str] = []
 
 
 class TableRecord(Record):
@@ -314,7 +317,7 @@ class TableRecord(Record):
 
     kind: Literal["table"]
     sizes: Annotated[list[Annotated[int, Field(ge=1, le=2**31)]], Field(min_length=1)]
-    types: list[Name]
+    types: list[str]
 
     @model_validator(mode="after")
     def _as_many_types_as_sizes(self) -> Self:
@@ -328,7 +331,7 @@ class NodeRecord(Record):
     """An agent or a controller."""
 
     id: Name
-    type: Name
+    type: str
     children: list["NodeRecord"] = []
     name: str = ""
 
@@ -339,6 +342,15 @@ class NodesRecord(Record):
     kind: Literal["forest"]
     roots: list[NodeRecord]
 
+    @model_validator(mode="after")
+    def _has_few_levels(self) -> Self:
+        level, levels = self.roots, 0
+        while level:
+            level, levels = [child for node in level for child in node.children], levels + 1
+        if levels > MOST_LEVELS:
+            refuse([(("roots",), None, f"must have at most {MOST_LEVELS} levels, but has {levels}")])
+        return self
+
 
 class ArmRecord(Record):
     """One treatment."""
@@ -347,7 +359,7 @@ class ArmRecord(Record):
     hierarchy: Annotated[TableRecord | NodesRecord, Field(discriminator="kind")]
     top: str
     world: str = ""
-    parameters: dict[Name, Scalar] = {}
+    parameters: dict[str, Scalar] = {}
     note: str = ""
 
 
@@ -356,9 +368,9 @@ class ProjectRecord(Record):
 
     schema_version: int
     name: str
-    scenario: Name
+    scenario: str
     types: list[NodeTypeRecord]
-    worlds: dict[str, dict[Name, Scalar]] = {}
+    worlds: dict[str, dict[str, Scalar]] = {}
     arms: list[ArmRecord] = []
     demonstrations: list[FileName] = []
     note: str = ""

@@ -50,9 +50,10 @@ def parsed(data: bytes) -> Any:
 
     document = _loaded(_decoded(data), members)
     if doubled:
-        raise TextError(
-            _path_to(document, doubled[0]), f"the key {doubled[0].key!r} stands here more than once"
-        )
+        where = next(path for path, here in _everything(document) if here is doubled[0])
+        raise TextError(where, f"the key {doubled[0].key!r} stands here more than once")
+    if b"\\u" in data:
+        _refuse_half_characters(document)
     return document
 
 
@@ -89,15 +90,22 @@ def _first_twice(keys: list[str]) -> str:
     return next(key for index, key in enumerate(keys) if key in keys[:index])
 
 
-def _path_to(document: Any, wanted: object) -> str:
-    """Where in *document* the very object *wanted* stands."""
+def _refuse_half_characters(document: Any) -> None:
+    """Raise a `TextError` if a text holds half of a surrogate pair, which no file can."""
+    for path, here in _everything(document):
+        if isinstance(here, str) and any("\ud800" <= character <= "\udfff" for character in here):
+            raise TextError(path, "the text holds half of a surrogate pair, which is no character")
+
+
+def _everything(document: Any) -> Iterator[tuple[str, Any]]:
+    """All that *document* consists of, keys included, with its place."""
     waiting: list[tuple[str, Any]] = [("", document)]
     while waiting:
         path, here = waiting.pop()
-        if here is wanted:
-            return path
+        yield path, here
+        if isinstance(here, dict):
+            yield from ((path, key) for key in here)
         waiting += _below(path, here)
-    return ""
 
 
 def _below(path: str, here: Any) -> Iterator[tuple[str, Any]]:
@@ -122,8 +130,15 @@ def written(document: dict[str, Any]) -> bytes:
 
     Keys are sorted and floats as short as they are exact. What is short stands on one line; the members of the
     document itself, and the items of its arrays, each begin a line, so that a change to one is a change of one line.
+
+    Raises:
+        TextError: A text in it cannot be written.
     """
-    return (_expanded(document, 0) + "\n").encode()
+    try:
+        return (_expanded(document, 0) + "\n").encode()
+    except UnicodeEncodeError:
+        _refuse_half_characters(document)
+        raise
 
 
 def _expanded(value: Any, depth: int) -> str:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from ..tree import LEAF, OPERATIONS
-from .fields import Complaint, Name, Record, Weight, doubles, refuse
+from .fields import Complaint, Record, Weight, doubles, refuse
 
 Index = Annotated[int, Field(ge=LEAF)]
 #: The arrays with one entry a node.
@@ -16,7 +16,7 @@ COLUMNS = ("slot", "operation", "a", "b", "yes", "no", "counts")
 class ArraysRecord(Record):
     """One tree as parallel arrays, one entry a node; see `app.core.tree.FlatTree`."""
 
-    features: list[Name]
+    features: list[str]
     slot: Annotated[list[Index], Field(min_length=1)]
     operation: list[Literal["at most", "equals", "in arc", ""]]
     a: list[float]
@@ -91,7 +91,7 @@ class TreeRecord(ArraysRecord):
     """A learned tree; *labels* are ids of states."""
 
     kind: Literal["tree"]
-    labels: list[Name]
+    labels: list[str]
 
     @model_validator(mode="after")
     def _counts_fit_labels(self) -> Self:
@@ -103,7 +103,7 @@ class ForestRecord(Record):
     """Several trees over the same labels."""
 
     kind: Literal["forest"]
-    labels: list[Name]
+    labels: list[str]
     trees: Annotated[list[ArraysRecord], Field(min_length=1)]
 
     @model_validator(mode="after")
