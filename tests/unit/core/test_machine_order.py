@@ -4,7 +4,7 @@ from app.core.automaton import START, Automaton
 from app.core.features import FeatureUse, FlagUp, Operation, Over, Sense, Statistic
 from app.core.hierarchy import Hierarchy
 from app.core.vocabulary import DONE, FINISHED
-from tests.fakes import SEES, Play, agents, inner, no, rules, types_of, yes
+from tests.fakes import SEES, TICKS, Play, agents, at_least, inner, no, rules, types_of, yes
 from tests.samples import GROUP, SQUAD, automaton, flag, nested, state
 
 ANY_DONE = FeatureUse("any done", Statistic(Operation.ANY, FlagUp(DONE)))
@@ -108,6 +108,22 @@ def test_a_controller_that_is_directed_anew_sees_the_flags_of_its_agents_as_when
     play.trace("s", 3)
     assert play.states("s") == "ask"
     assert (play.states("g"), play.states("h")) == ("left", "right")
+
+
+def test_flags_of_a_direction_whose_controller_is_directed_anew_are_gone_in_the_next_tick() -> None:
+    late = automaton(
+        "late", nested("ask", "ask"), features=(TICKS,), rules=rules((START, at_least("ticks", 1), "ask"))
+    )
+    command = automaton(
+        "command",
+        state("work", "work"),
+        state("late", "late"),
+        features=(ANY_FINISHED,),
+        rules=rules((START, (), "work"), ("work", yes("any finished"), "late")),
+    )
+    play = one_squad(command, WORK, late, ASK)
+    assert play.trace("g", 4) == ["job", "job", START, "ask/right"]
+    assert play.shown("a") == set()
 
 
 def test_flags_that_fall_as_a_direction_passes_through_a_controller_were_seen_above_in_the_same_tick() -> (

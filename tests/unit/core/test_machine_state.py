@@ -5,14 +5,15 @@ from dataclasses import replace
 
 import pytest
 
-from app.core.automaton import START, Automaton
+from app.core.automaton import START, Automaton, Sampling, Settings
 from app.core.features import FlagUp, Ground
 from app.core.hierarchy import Hierarchy
 from app.core.library import Types
 from app.core.machine import stored_classifiers
 from app.core.machine_state import freeze, rebase, thaw, thaw_node
+from app.core.tree import Leaf, Tree
 from app.core.vocabulary import DONE
-from tests.fakes import DONE_UP, Play, agents, inner, rules, types_of
+from tests.fakes import DONE_UP, Play, agents, inner, one_agent, rules, types_of
 from tests.samples import GROUP, SQUAD, automaton, flag, nested, state
 
 FACE = automaton(
@@ -89,13 +90,33 @@ def test_nodes_that_only_one_side_knows_are_left_alone() -> None:
 
 
 def test_that_a_controller_has_left_its_direction_is_kept() -> None:
-    play = group_of_two(flagging := automaton("outer", flag("up"), rules=rules((START, (), "up"))))
+    flagging = automaton("outer", flag("up"), rules=rules((START, (), "up")))
+    play = group_of_two(flagging)
     play.machine.enter(play.actor("g"), play.run("g"), START)
-    kept = freeze(play.machine)
-    edited(play, flagging)
-    thaw(play.machine, kept)
-    play.tick(taught=["g"], still=["a", "b"])
-    assert play.shown("a") == set()
+    other = group_of_two(flagging)
+    thaw(other.machine, freeze(play.machine))
+    assert other.shown("a") == {DONE}
+    other.tick(taught=["g"], still=["a", "b"])
+    assert other.shown("a") == set()
+
+
+def test_a_held_draw_still_stands_after_thawing() -> None:
+    flip = Tree(("on", "off"), Leaf((1.0, 1.0)))
+    hold = automaton(
+        "hold",
+        state("on", "Forward"),
+        state("off", "RotateLeft"),
+        rules=rules((START, (), "on")),
+        learned={"on": flip},
+        settings=Settings(sampling=Sampling.HOLD),
+    )
+    stays = next(
+        seed for seed in range(20) if one_agent(hold, top="hold", seed=seed).trace("a", 2)[1] == "on"
+    )
+    play = one_agent(hold, top="hold", seed=stays)
+    play.trace("a", 2)
+    thaw(play.machine, json.loads(json.dumps(freeze(play.machine))))
+    assert play.trace("a", 20) == ["on"] * 20
 
 
 # --------------------------------------------------------------------------------------------- after an edit

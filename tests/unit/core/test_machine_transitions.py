@@ -240,6 +240,14 @@ def test_a_transition_to_a_missing_state_names_it_and_those_there_are() -> None:
         one_agent(lost, top="lost").tick()
 
 
+def test_a_test_of_a_missing_feature_names_it_and_those_there_are() -> None:
+    lost = automaton("lost", WALK, features=(SEES, HOLDS), rules=rules((START, yes("smells"), "walk")))
+    with pytest.raises(
+        LibraryError, match="'lost' has no feature 'smells' to test; its features are: sees, holds"
+    ):
+        one_agent(lost, top="lost").tick()
+
+
 def test_a_listener_is_told_of_each_change_at_the_top_of_a_node_before_it_happens() -> None:
     inside = automaton("inside", WALK, LEFT, rules=rules((START, (), "walk"), ("walk", (), "left")))
     outer = automaton(
