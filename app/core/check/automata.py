@@ -32,9 +32,17 @@ def library_problems(scope: Scope) -> Iterator[Problem]:
             message = f"another behavior of {type_name!r} is called {automaton.name!r} as well"
             yield Problem(file, "name", message, raises=LibraryError)
         if automaton.name in scope.vocabulary.behaviors:
-            message = f"{type_name!r} has a basic behavior called {automaton.name!r} already"
-            yield Problem(file, "name", message, raises=LibraryError)
+            yield _hiding(scope, file, automaton.name)
     yield from _recursion(scope)
+
+
+def _hiding(scope: Scope, file: str, name: str) -> Problem:
+    """Two behaviors of one name: never clear for agents; a controller's own hides what it directs from those above."""
+    if not scope.vocabulary.behaviors[name].derived:
+        message = f"{scope.type.name!r} has a basic behavior called {name!r} already"
+        return Problem(file, "name", message, raises=LibraryError)
+    message = f"subsidiaries of {scope.type.name!r} have a behavior called {name!r} too; controllers above reach only this one"
+    return Problem(file, "name", message, "warning", raises=LibraryError)
 
 
 def _recursion(scope: Scope) -> Iterator[Problem]:

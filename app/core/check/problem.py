@@ -23,7 +23,8 @@ class Problem:
         where: The place in that file, e.g. ``states[2].content.bindings.target``; empty for the whole file.
         severity: An ``error`` keeps what it concerns from running; a ``warning`` is something to look at.
         fix: What *mend* does, in words: "remove the rule".
-        mend: The edit that repairs it, where there is one that needs no decision of the user's.
+        mend: The edit that repairs it, where there is one that needs no decision of the user's. Like every edit it can
+            be refused, if other problems stand in its way.
         raises: The kind of error that it is when the project is to run all the same.
     """
 
