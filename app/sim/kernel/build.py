@@ -112,7 +112,7 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
         column_f=columns.column_f,
         column_i=columns.column_i,
         compiled=numba.njit(nogil=True, cache=True),
-        inlined=numba.njit(forceinline=True),
+        inlined=numba.njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True),
         linked=lambda **instead: linker.linked(tick.run, instead),
     )
     sys.modules[name] = module
@@ -121,7 +121,8 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
 
 
 def _compile_one(function: FunctionType, inline: bool) -> Any:  # noqa: FBT001 - the shape of `linking.Compile`
-    return numba.njit(nogil=True, forceinline=inline)(function)
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return numba.njit(nogil=True, forceinline=inline, **options)(function)
 
 
 def _gist(error: NumbaError) -> str:
