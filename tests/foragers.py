@@ -151,11 +151,13 @@ def _control(name: str, search: str, target: str, called_by: Statistic | Sense) 
         features=(
             FeatureUse("called", called_by),
             FeatureUse("finished", Statistic(Operation.ANY, FlagUp(FINISHED))),
+            FeatureUse("there", Statistic(Operation.ALL, Sense("ICanSeeABox"))),
             FeatureUse("ticks", TicksInState()),
         ),
         rules=rules(
             (START, (), "search"),
             ("search", (yes("called"),), "gather"),
+            ("gather", (yes("there"),), "pull"),
             ("gather", (beyond("ticks", 400.0),), "pull"),
             ("pull", (yes("finished"),), "let go"),
             ("pull", (beyond("ticks", 2000.0),), "let go"),
@@ -219,3 +221,29 @@ def start(
     """A foraging world of authored foragers."""
     forest = alone() if hierarchy is None else hierarchy
     return Start(foraging, foraging.settle(parameters), forest, types(), seed, world, top)
+
+
+#: The same with fewer agents, to run in `BUSY` worlds.
+SMALL: Mapping[str, tuple[Hierarchy, str]] = {
+    "independent": (alone(12), "Forage"),
+    "one level": (groups(3, 4), "ControlForage"),
+    "two levels": (squads(2, 2, 3), "ControlForage2"),
+}
+#: A world so small and full that everything happens within some hundred ticks.
+BUSY: dict[str, Any] = {
+    "width": 40.0,
+    "height": 40.0,
+    "deposit_x": 20.0,
+    "deposit_y": 20.0,
+    "boxes": 6,
+    "pullers": 2,
+    "big_boxes": 1,
+    "big_pullers": 5,
+    "step": 0.4,
+}
+
+
+def busy(structure: str = "independent", seed: int = 1, **more: Any) -> Start:
+    """A few foragers in a busy world."""
+    forest, top = SMALL[structure]
+    return start(forest, top, seed, **{**BUSY, **more})
