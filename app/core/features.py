@@ -73,7 +73,7 @@ class Statistic:
 
     `Over.AGENTS` takes all agents below, however deep. `Over.SUBSIDIARIES` takes the direct ones: for a flag all of
     them, for an agent feature those that are agents. Over nobody, `any` and `count` are 0, `all` is 1, and the others
-    are the feature's default.
+    are the feature's default. The mean of angles is that of their numbers.
     """
 
     operation: Operation

@@ -113,8 +113,8 @@ def known_flags(library: Library, vocabulary: Vocabulary) -> tuple[str, ...]:
 class Types:
     """The node types of a project with their libraries, and the vocabulary that each can use.
 
-    A controller's basic behaviors are those that all its subsidiaries' types share by name and signature, derived
-    automatically (DESIGN section 5).
+    A controller's basic behaviors are those that all its subsidiaries' types share by name and signature (the names
+    of the parameters, in order), derived automatically (DESIGN section 5).
     """
 
     def __init__(
@@ -152,6 +152,7 @@ class Types:
         """Everything a node of this type can be directed to do, by name."""
         if type_name not in self._repertoires:
             learned = {a.name: a for a in self.library(type_name).automata.values()}
+            # A learned behavior hides a basic one of the same name.
             self._repertoires[type_name] = {**self.vocabulary(type_name).behaviors, **learned}
         return self._repertoires[type_name]
 

@@ -153,7 +153,7 @@ class Machine:
             if action is not None:
                 actions.append(action)
             if actor.left:
-                actor.lower_directed()
+                actor.lower_directed()  # only now: in its turn the controller saw them as the tick began
         self.now = now + 1
         return actions
 
@@ -315,12 +315,14 @@ class Machine:
             case FlagUp(flag):
                 return float(run.child is not None and flag in run.child.flags)
             case TicksInState():
-                return float(self.now - run.entered)
+                return float(
+                    self.now - run.entered
+                )  # the world's ticks, even those in which the node stood still
             case Statistic() as statistic:
                 return self._statistic(actor, run, use, statistic, senses)
             case Sense(name, bindings):
                 feature = self.types.vocabulary(actor.node.type).feature(name)
-                if feature.whose == "group":
+                if feature.whose == "group":  # these take no targets
                     return senses.group_feature(name, actor.members)
                 arguments = bind(feature.parameters, bindings, actor, run, use)
                 return self._sensed(feature, arguments, actor.number, senses)
