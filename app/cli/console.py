@@ -84,6 +84,16 @@ def _bar(title: str, total: float) -> Iterator[Advance]:
         yield lambda done: bars.update(task, completed=done)
 
 
+@contextmanager
+def nothing_changes() -> Iterator[None]:
+    """While this lasts, an interrupt leaves everything as it was, and the user hears so."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        say("nothing was changed")
+        raise
+
+
 def _lines(title: str, total: float, clock: Callable[[], float] = time.monotonic) -> Advance:
     said = clock()
 

@@ -9,7 +9,7 @@ from ..core.errors import ExampleError
 from ..core.project import Demonstration, Project
 from ..core.storage import save
 from ..engine.demonstrations import recreate
-from .console import progress, show, show_json
+from .console import nothing_changes, progress, show, show_json
 from .exits import DONE, FELL_SHORT
 from .naming import Where, named_behaviors
 from .opening import Opened, open_project
@@ -57,7 +57,7 @@ def chosen(project: Project, only: Sequence[Where] | None) -> list[Demonstration
 
 def play(opened: Opened, only: Sequence[Where] | None = None) -> Project:
     """The project with its examples recorded and its behaviors learned anew, while the user sees how far that is."""
-    with progress("Playing demonstrations", 1.0) as advance:
+    with nothing_changes(), progress("Playing demonstrations", 1.0) as advance:
         return recreate(opened.project, opened.scenario, only, lambda done, _: advance(done))
 
 

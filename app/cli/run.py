@@ -21,6 +21,8 @@ from .staleness import warn_of_stale
 from .wording import counted, number
 from .worlds import Bench, Plan, run_plans
 
+#: Agent ticks that are made in a second or two.
+SMALL_WORK = 50_000
 #: Chance is settled by 63 bits.
 LARGEST_SEED = 2**63 - 1
 
@@ -110,12 +112,19 @@ def carry_out(request: Request, opened: Opened) -> tuple[Outcome, bool]:
     began = time.perf_counter()
     with progress(f"Running {arm.name}", request.ticks * request.runs) as advance:
         bench = Bench(project, opened.folder, request.trust)
-        ran = run_plans(bench, plans, request.jobs or cores(), advance)
+        ran = run_plans(
+            bench, plans, request.jobs or worthwhile(request, len(settled.arm.forest().agents())), advance
+        )
     seconds = time.perf_counter() - began
     results = tuple(result for result in ran.results if result is not None)
     return Outcome(
         project, settled.arm, settled.parameters, settings, request.ticks, results, seconds
     ), ran.interrupted
+
+
+def worthwhile(request: Request, agents: int) -> int:
+    """How many processes the runs are worth; starting one takes a second."""
+    return cores() if agents * request.ticks * request.runs >= SMALL_WORK else 1
 
 
 def _with_arm(project: Project, changed: Arm) -> Project:

@@ -1,25 +1,24 @@
 """Behaviors that were taught more, or edited, since they were last learned."""
 
 from ..core.project import Project
-from ..core.vocabulary import Vocabulary
 from ..learner.trainer import is_stale
 from .console import say
 from .opening import Opened
 
 
-def stale_behaviors(project: Project, vocabulary: Vocabulary) -> list[str]:
+def stale_behaviors(project: Project) -> list[str]:
     """Their names, with the type's: "agent/Goto"."""
     return [
         f"{node_type.name}/{automaton.name}"
         for node_type in project.types
         for automaton in project.library(node_type.name).automata.values()
-        if is_stale(project, vocabulary, node_type.name, automaton.id)
+        if is_stale(project, node_type.name, automaton.id)
     ]
 
 
 def warn_of_stale(opened: Opened) -> None:
     """Tell the user that what runs is not what was taught."""
-    if stale := stale_behaviors(opened.project, opened.scenario.vocabulary):
+    if stale := stale_behaviors(opened.project):
         what = "was" if len(stale) == 1 else "were"
         say(
             f"{', '.join(stale)} {what} changed since last learned; `understudy train {opened.folder}` learns again"

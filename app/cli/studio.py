@@ -1,6 +1,5 @@
 """No verb: the studio. Until its window exists, and where there is no screen, a demonstration in numbers instead."""
 
-import os
 import tempfile
 import time
 from collections.abc import Sequence
@@ -16,6 +15,7 @@ from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
 from .pictures import Shown, figure_of_runs, forest_in_words
 from .places import cores, display, shipped_project
+from .probes import writable
 from .run import draw_picture, refuse_picture
 from .wording import counted, number
 from .worlds import Bench, Plan, Ran, run_plans
@@ -144,7 +144,7 @@ def _draw(taught: Taught, done: Sequence[tuple[Arm, RunResult]], picture: Path |
     subtitle = f"{learned}one run of {counted(result.ticks, 'tick')} each, seed {result.seed}"
     shown = [Shown(arm, _parameters(opened, arm), (one,)) for arm, one in done]
     figure = figure_of_runs(title, subtitle[0].upper() + subtitle[1:], opened.scenario, shown)
-    if picture is None and not os.access(Path.cwd(), os.W_OK):
+    if picture is None and not writable(Path.cwd()):
         picture = Path(tempfile.mkdtemp(prefix=f"{PROGRAM}-")) / PICTURE
         say(f"the current folder cannot be written to, so the picture goes to {picture.parent}")
     return draw_picture(figure, picture or PICTURE, dark=dark)

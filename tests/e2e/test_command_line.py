@@ -1,0 +1,217 @@
+"""The command line as a user starts it: processes, signals, pipes and exit codes."""
+
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from tests.unit.cli.foraging import project, stored, taught
+
+ROOT = Path(__file__).parents[2]
+
+
+def command(*arguments: str | Path) -> list[str]:
+    return [sys.executable, "-P", "-m", "app", *map(str, arguments)]
+
+
+def environment(**more: str) -> dict[str, str]:
+    without = {
+        name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")
+    }
+    return {**without, "PYTHONPATH": str(ROOT), **more}
+
+
+def understudy(
+    *arguments: str | Path, cwd: Path | None = None, **more: str
+) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command(*arguments),
+        capture_output=True,
+        text=True,
+        env=environment(**more),
+        cwd=cwd,
+        timeout=120,
+        check=False,
+    )
+
+
+@pytest.fixture
+def boxes(tmp_path: Path) -> Path:
+    return stored(tmp_path / "boxes")
+
+
+# ---------------------------------------------------------------------------------------------------- starting
+
+
+def imported_by(*arguments: str) -> set[str]:
+    """The packages that a start imports."""
+    code = (
+        "import sys; from app.cli import main; code = main(sys.argv[1:]); "
+        "print(*{name.split('.')[0] for name in sys.modules}, file=sys.stderr)"
+    )
+    started = [sys.executable, "-P", "-c", code, *arguments]
+    done = subprocess.run(started, capture_output=True, text=True, env=environment(), timeout=60, check=True)
+    return set(done.stderr.split())
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["--version"]])
+def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
+    heavy = {"numpy", "scipy", "sklearn", "numba", "networkx", "pydantic", "pymunk", "PySide6", "pyqtgraph"}
+    assert imported_by(*arguments) & heavy == set()
+
+
+def test_a_run_without_a_picture_imports_no_qt(boxes: Path) -> None:
+    assert (
+        imported_by("run", str(boxes), "--ticks", "2") & {"PySide6", "pyqtgraph", "sklearn", "numba"} == set()
+    )
+
+
+def test_every_verb_has_help_with_examples() -> None:
+    for verb in ("new", "check", "train", "run", "demonstrate", "doctor"):
+        done = understudy(verb, "--help")
+        assert done.returncode == 0
+        assert "Examples:" in done.stdout
+        assert f"understudy {verb}" in done.stdout
+        assert "--json" in done.stdout
+
+
+def test_help_names_only_verbs_that_exist() -> None:
+    said = understudy("--help").stdout
+    assert all(verb in said for verb in ("new", "check", "train", "run", "demonstrate", "doctor"))
+    assert not any(verb in said for verb in ("experiment", "export", "bench", "studio "))
+
+
+# --------------------------------------------------------------------------------------------------- exit codes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["trian", "x"], "no verb 'trian' (did you mean 'train'?)"),
+        (["run", "BOXES", "--runs", "0"], "it must be 1 or more, but it is 0"),
+        (["run", "BOXES", "--arm", "two"], "there is no arm 'two'"),
+        (["run", "BOXES", "--set", "world.boxes=-1"], "boxes must be 0 or more"),
+        (["check", "."], "this is no project"),
+    ],
+)
+def test_wrong_input_is_exit_code_2_without_a_traceback(
+    arguments: Sequence[str], said: str, boxes: Path
+) -> None:
+    done = understudy(*(str(boxes) if word == "BOXES" else word for word in arguments), cwd=boxes.parent)
+    assert done.returncode == 2
+    assert said in done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_damaged_project_is_refused_by_file_and_line(boxes: Path) -> None:
+    file = boxes / "libraries" / "agent" / "Goto.json"
+    file.write_text(file.read_text()[:100])
+    done = understudy("run", boxes)
+    assert done.returncode == 2
+    assert "libraries/agent/Goto.json: line" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write anywhere")
+def test_a_folder_without_write_permission_is_named_and_nothing_is_lost(tmp_path: Path) -> None:
+    folder = stored(tmp_path / "homing", taught())
+    folder.chmod(0o500)
+    done = understudy("demonstrate", folder)
+    folder.chmod(0o700)
+    assert done.returncode == 2
+    assert "permission denied" in done.stderr
+
+
+# --------------------------------------------------------------------------------------- pipes, signals, processes
+
+
+def test_json_on_stdout_is_all_that_is_there(boxes: Path) -> None:
+    done = understudy("run", boxes, "--ticks", "30", "--runs", "2", "--jobs", "2", "--json")
+    assert done.returncode == 0
+    assert [run["seed"] for run in json.loads(done.stdout)["runs"]] == [1, 2]
+    assert done.stderr == ""
+
+
+def test_a_reader_that_goes_away_gets_no_traceback(boxes: Path) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as pipe:
+        done = subprocess.run(
+            command("check", boxes),
+            stdout=pipe,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment(),
+            check=False,
+        )
+    assert (done.returncode, done.stderr) == (1, "")
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_ctrl_c_ends_the_program_and_all_its_processes(jobs: str, boxes: Path) -> None:
+    """As a terminal sends it: to the whole process group, as soon as the bar shows."""
+    ours, theirs = os.openpty()
+    started = subprocess.Popen(
+        command("run", boxes, "--ticks", "10000000", "--runs", "2", "--jobs", jobs),
+        stdout=subprocess.DEVNULL,
+        stderr=theirs,
+        env=environment(TERM="xterm", COLUMNS="80"),
+        start_new_session=True,
+    )
+    os.close(theirs)
+    with os.fdopen(ours, "rb", buffering=0) as terminal:
+        said = read_until(terminal, b"Running")
+        os.killpg(started.pid, signal.SIGINT)
+        said += read_until(terminal)
+    assert started.wait(timeout=60) == 130
+    assert b"0 runs of 2 had been finished" in said
+    assert b"understudy: interrupted" in said
+    assert b"Traceback" not in said
+    with pytest.raises(ProcessLookupError):
+        os.killpg(started.pid, 0)
+
+
+def read_until(terminal: io.RawIOBase | io.FileIO, words: bytes | None = None) -> bytes:
+    """What comes from a terminal up to *words*, or to its end."""
+    said = b""
+    while words is None or words not in said:
+        try:
+            more = terminal.read(4096)
+        except OSError:  # Linux: nobody holds the other end any more
+            break
+        if not more:
+            break
+        said += more
+    return said
+
+
+# ----------------------------------------------------------------------------------------------------- no verb
+
+
+def test_without_a_display_the_demonstration_ends_with_numbers_and_a_picture(tmp_path: Path) -> None:
+    folder = stored(tmp_path / "homing", taught())
+    done = understudy(folder, "--ticks", "50", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "learned again from" in done.stdout
+    assert "boxes" in done.stdout
+    assert (tmp_path / "understudy-demonstration.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_without_a_clone_or_a_terminal_nothing_depends_on_the_current_folder(tmp_path: Path) -> None:
+    (tmp_path / "app").mkdir()
+    (tmp_path / "app" / "__init__.py").write_text("raise SystemExit('the wrong app')")
+    assert understudy("--version", cwd=tmp_path).returncode == 0
+
+
+def test_three_structures_run_at_once(tmp_path: Path) -> None:
+    folder = stored(tmp_path / "p", project())
+    done = understudy(folder, "--ticks", "2000", "--picture", tmp_path / "x.svg", cwd=tmp_path)
+    assert done.returncode == 0
+    assert [name in done.stdout for name in ("independent", "one level", "two levels")] == [True] * 3
+    assert (tmp_path / "x.svg").read_text().count("<svg") == 1
