@@ -2,7 +2,7 @@
 
 A leaf that got E of N examples wrong is expected to get more wrong of those to come: N times the upper confidence limit
 of a binomial error rate. A subtree whose leaves together expect no fewer errors than one leaf in its place becomes that
-leaf. Subtrees are replaced, never raised.
+leaf. The limits are exact (Clopper and Pearson 1934), where C4.5 approximates them. Subtrees are replaced, never raised.
 """
 
 from scipy.special import betaincinv

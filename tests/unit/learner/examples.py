@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from math import pi
 
+from app.core.conditions import Values
 from app.core.examples import Example
 from app.core.vocabulary import FeatureKind
 from app.learner.dataset import Column, Dataset, dataset
@@ -34,6 +35,11 @@ def of_one_feature(kind: FeatureKind, *points: tuple[float, str], continuations:
         for number, (value, label) in enumerate(points)
     ]
     return of(made, column("f", kind))
+
+
+def at(value: float) -> Values:
+    """The feature "f" has this value."""
+    return {"f": value}.__getitem__
 
 
 def of(examples: Sequence[Example], *columns: Column) -> Dataset:
