@@ -142,11 +142,11 @@ def _tick_problems(demonstration: Demonstration) -> Iterator[Problem]:
     before = 0
     for index, pick in enumerate(demonstration.picks):
         where = place("picks", index, "tick")
-        if pick.tick < before:
-            message = f"the picks must be in the order of their ticks, but {pick.tick} comes after {before}"
-            yield _error(demonstration.id, where, message)
         if not 0 <= pick.tick <= demonstration.ticks:
             message = f"the demonstration goes on for {demonstration.ticks} ticks, but a pick is at tick {pick.tick}"
+            yield _error(demonstration.id, where, message)
+        elif pick.tick < before:
+            message = f"the picks must be in the order of their ticks, but {pick.tick} comes after {before}"
             yield _error(demonstration.id, where, message)
         before = max(before, pick.tick)
 

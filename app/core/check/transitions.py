@@ -23,9 +23,14 @@ def transition_problems(subject: Subject, examples: tuple[Example, ...]) -> Iter
     states = {state.id: state for state in subject.automaton.states}
     yield from _rule_problems(subject, states, known)
     yield from _prune_problems(subject, states, known)
-    for source, model in subject.automaton.learned.items():
-        yield from _model_problems(subject, source, model, states, known)
-    yield from _graph_problems(subject, examples)
+    models = [
+        problem
+        for source, model in subject.automaton.learned.items()
+        for problem in _model_problems(subject, source, model, states, known)
+    ]
+    yield from models
+    if not any(problem.severity == "error" for problem in models):  # a broken model leads who knows where
+        yield from _graph_problems(subject, examples)
 
 
 # ----------------------------------------------------------------------------------------------- rules
