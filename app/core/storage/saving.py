@@ -1,7 +1,7 @@
 """Writing a project into its folder: only what changed, all or nothing."""
 
 import contextlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -252,13 +252,18 @@ def _wrong_names(project: Project) -> Iterator[Problem]:
                 yield Problem(automaton_file(type_name, key), "id", message)
 
 
-def _met_names(files: Mapping[str, _File]) -> Iterator[Problem]:
+def _met_names(files: Iterable[str]) -> Iterator[Problem]:
     """Names that are one and the same on some file systems."""
     met: dict[str, str] = {}
-    for path in files:
+    for path in dict.fromkeys(part for file in files for part in _path_and_above(file)):
         other = met.setdefault(folded(path), path)
         if other != path:
             yield Problem(path, "", f"its name and that of {other} are the same on systems that ignore case")
+
+
+def _path_and_above(file: str) -> Iterator[str]:
+    steps = file.split("/")
+    return ("/".join(steps[:length]) for length in range(1, len(steps) + 1))
 
 
 def _missing_moments(project: Project) -> Iterator[Problem]:

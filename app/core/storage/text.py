@@ -10,6 +10,8 @@ WIDTH = 110
 #: Arrays of which every item is on a line of its own, however long: one example or pick a line.
 ROWS = frozenset({"examples", "picks"})
 STEP = 2
+WORDS = ("true", "false", "null", "NaN", "Infinity")
+NUMBER = frozenset("-+.eE0123456789")
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False, sort_keys=True)
 
@@ -81,9 +83,16 @@ def _loaded(text: str, members: Any) -> Any:
 def _explained(text: str, error: json.JSONDecodeError) -> str:
     if not text.strip():
         return "the file is empty"
-    if error.pos >= len(text.rstrip()) or error.msg.startswith("Unterminated"):
+    if _cut_short(text[error.pos :].rstrip(), error.msg):
         return "the file ends too early: it has been cut short"
     return f"this is not JSON: {error.msg[0].lower()}{error.msg[1:]}"
+
+
+def _cut_short(rest: str, complaint: str) -> bool:
+    """Whether *rest*, from where it cannot be read on, could be the beginning of something right."""
+    if complaint.startswith("Unterminated") or any(word.startswith(rest) for word in WORDS):
+        return True
+    return set(rest) <= NUMBER or (complaint.startswith("Invalid \\") and '"' not in rest)
 
 
 def _first_twice(keys: list[str]) -> str:

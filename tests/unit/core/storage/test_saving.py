@@ -471,6 +471,16 @@ def test_names_that_some_systems_take_for_one_are_refused(tmp_path: Path, projec
     ]
 
 
+def test_types_that_some_systems_take_for_one_are_refused(tmp_path: Path, project: Project) -> None:
+    libraries = {
+        AGENT: project.libraries[AGENT],
+        "AGENT": Library({"x": replace(every_kind.control(), id="x")}),
+    }
+    assert problems_of(replace(project, libraries=libraries), tmp_path) == [
+        "libraries/AGENT: its name and that of libraries/agent are the same on systems that ignore case"
+    ]
+
+
 def test_an_automaton_under_another_id_is_refused(tmp_path: Path, project: Project) -> None:
     wrong = replace(project, libraries={AGENT: Library({"walk": project.library(AGENT).get("wander")})})
     assert (

@@ -94,3 +94,10 @@ def test_half_a_character_is_named_with_its_place(document: dict[str, object]) -
 
 def test_a_whole_character_may_be_written_in_two_halves() -> None:
     assert parsed(rb'{"a": "\ud83d\ude00"}') == {"a": "😀"}
+
+
+def test_wherever_a_text_is_cut_it_is_said_to_be_cut_short() -> None:
+    text = rb'{"a": [true, null, -1.5e-7, "x\n\u00e9", {"b": {}}, false]}'
+    for length in range(1, len(text)):
+        with pytest.raises(TextError, match="cut short"):
+            parsed(text[:length])
