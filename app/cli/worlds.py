@@ -1,12 +1,14 @@
 """Several worlds at a time, each in a process of its own; Ctrl-C ends them all and keeps what is finished."""
 
+import os
 import signal
+import threading
 from collections.abc import Callable, Iterator, Mapping, MutableSequence, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from pathlib import Path
 
 from ..core.project import Arm, Project, Value
@@ -14,6 +16,7 @@ from ..engine.runs import RunResult, Treatment, run, treatment
 from ..engine.scenarios import open_scenario
 from ..learner.trainer import classifiers
 from .console import Advance, say
+from .exits import FELL_SHORT
 
 #: Seconds between looks at how far the processes are.
 GLANCE = 0.1
@@ -109,7 +112,16 @@ def _begin(bench: Bench, ticks: MutableSequence[int]) -> None:
     """Runs first in a worker process. Ctrl-C reaches it, too, but only its parent decides what that means."""
     global _work  # noqa: PLW0603 - an executor offers its workers no other place
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     _work = bench, ticks
+
+
+def _end_with_parent() -> None:
+    """An executor's worker outlives a parent that was killed; ours does not."""
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+    os._exit(FELL_SHORT)
 
 
 def _make(index: int, plan: Plan) -> RunResult:

@@ -213,17 +213,26 @@ def test_an_interrupt_changes_nothing(
     assert contents(homing) == before
 
 
+@pytest.mark.parametrize(
+    ("number", "said"),
+    [(28, "the disk is full"), (13, "permission denied"), (30, "the file system is read-only")],
+)
 @pytest.mark.parametrize("verb", ["train", "demonstrate"])
 def test_where_nothing_can_be_written_that_is_said_and_nothing_is_lost(
-    verb: str, homing: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    verb: str,
+    number: int,
+    said: str,
+    homing: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     forget(homing)
     before = contents(homing)
 
-    def full(*_: object, **__: object) -> None:
-        raise OSError(28, "No space left on device")
+    def refuse(*_: object, **__: object) -> None:
+        raise OSError(number, "so says the system")
 
-    monkeypatch.setattr("os.fsync", full)
+    monkeypatch.setattr("os.fsync", refuse)
     assert main([verb, str(homing)]) == 2
-    assert "the disk is full" in capsys.readouterr().err
+    assert said in capsys.readouterr().err
     assert contents(homing) == before
