@@ -10,6 +10,8 @@ from .library import Library
 
 #: Ids become file names; longer names are cut.
 LONGEST_ID = 40
+#: Some systems keep these file names for devices.
+DEVICES = re.compile(r"con|prn|aux|nul|com\d|lpt\d")
 
 
 def slug(name: str, fallback: str = "unnamed") -> str:
@@ -22,7 +24,8 @@ def slug(name: str, fallback: str = "unnamed") -> str:
 def fresh_id(taken: Collection[str], name: str, fallback: str = "unnamed") -> str:
     """An id made from *name* that is not *taken*: ``goto``, then ``goto-2``, ``goto-3``."""
     first = slug(name, fallback)
-    return first if first not in taken else _numbered(taken, first + "-")
+    free = first not in taken and not DEVICES.fullmatch(first)
+    return first if free else _numbered(taken, first + "-")
 
 
 def fresh_name(taken: Collection[str], name: str) -> str:

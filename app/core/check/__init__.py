@@ -33,6 +33,9 @@ __all__ = [
     "refuse",
 ]
 
+#: As many as a user reads; the rest are counted.
+MOST_TOLD = 20
+
 
 def check(project: Project, vocabulary: Vocabulary) -> tuple[Problem, ...]:
     """Everything that is wrong with *project* in a scenario with this *vocabulary*, file by file."""
@@ -65,8 +68,13 @@ def refuse(
 def _told(errors: list[Problem]) -> str:
     if len(errors) == 1:
         return str(errors[0])
-    lines = "\n".join(f"  {problem}" for problem in errors)
-    return f"{len(errors)} problems keep the project from running:\n{lines}"
+    lines = [
+        f"{len(errors)} problems keep the project from running:",
+        *(f"  {e}" for e in errors[:MOST_TOLD]),
+    ]
+    if len(errors) > MOST_TOLD:
+        lines.append(f"  and {len(errors) - MOST_TOLD} more; `understudy check` lists all")
+    return "\n".join(lines)
 
 
 def _types(project: Project, vocabulary: Vocabulary) -> Types:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from ..errors import EditError
 from ..naming import fresh_id
 from ..project import Demonstration, Project
+from ..storage.names import file_name_problem
 from .place import find_index, moved
 from .words import says
 
@@ -12,6 +13,8 @@ from .words import says
 @says("Add a demonstration of {demonstration.automaton}")
 def add_demonstration(project: Project, demonstration: Demonstration) -> tuple[Project, str]:
     """One more demonstration, the last; also returns its id, which is made if it is empty or taken."""
+    if demonstration.id and (problem := file_name_problem(demonstration.id)):
+        raise EditError(f"{demonstration.id!r} cannot name a demonstration, since it names a file: {problem}")
     taken = {d.id for d in project.demonstrations}
     new_id = fresh_id(taken, demonstration.id or demonstration.automaton, "demonstration")
     if demonstration.id and demonstration.id not in taken:

@@ -8,6 +8,7 @@ from ..errors import EditError
 from ..hierarchy import Hierarchy
 from ..library import NodeType
 from ..project import Arm, Project
+from ..storage.names import folded, type_name_problem
 from .arms import retyped
 from .place import find_type, listed
 from .words import says
@@ -109,9 +110,7 @@ def _types_of(arm: Arm) -> set[str]:
 
 
 def _refuse_name(project: Project, name: str) -> None:
-    if not name.strip() or "/" in name or name in (".", ".."):
-        raise EditError(
-            f"{name!r} cannot name a node type: it names a folder, so it may not be empty or contain '/'"
-        )
-    if any(t.name == name for t in project.types):
-        raise EditError(f"there already is a node type {name!r}")
+    if problem := type_name_problem(name):
+        raise EditError(f"{name!r} cannot name a node type, since it names a folder: {problem}")
+    if same := [t.name for t in project.types if folded(t.name) == folded(name)]:
+        raise EditError(f"there already is a node type {same[0]!r}")

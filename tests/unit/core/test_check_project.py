@@ -8,7 +8,15 @@ import pytest
 
 from app.core import edits
 from app.core.automaton import START
-from app.core.check import Problem, check, refuse
+from app.core.check import (
+    PROJECT_FILE,
+    Problem,
+    automaton_file,
+    check,
+    demonstration_file,
+    examples_file,
+    refuse,
+)
 from app.core.errors import (
     BindingError,
     EditError,
@@ -22,6 +30,7 @@ from app.core.features import Ground, TicksInState
 from app.core.hierarchy import Hierarchy, Node
 from app.core.library import Library, NodeType
 from app.core.project import Arm, Demonstration, LevelTable, Pick, Project
+from app.core.storage import layout, migrations
 from tests.samples import AGENT, GROUP, SQUAD, automaton, nested, project, state, vocabulary
 
 
@@ -370,6 +379,22 @@ def test_a_cycle_that_an_arm_would_run_into_refuses_it() -> None:
     looped = edits.add_arm(looped, Arm("l", AGENTS, "loop"))
     with pytest.raises(LibraryError, match="recursion is not permitted, but loop holds loop"):
         refuse(looped, vocabulary(), arm="l")
+
+
+def test_many_errors_are_counted() -> None:
+    arms = tuple(Arm(f"a{n}", AGENTS, "gone") for n in range(30))
+    with pytest.raises(LibraryError, match="and 10 more; `understudy check` lists all"):
+        refuse(replace(project(), arms=arms, demonstrations=()), vocabulary())
+
+
+def test_files_are_named_as_storage_names_them() -> None:
+    for path, stored in (
+        (PROJECT_FILE, migrations.PROJECT_FILE),
+        (automaton_file("a", "b"), layout.automaton_file("a", "b")),
+        (examples_file("a", "b"), layout.examples_file("a", "b")),
+        (demonstration_file("a"), layout.demonstration_file("a")),
+    ):
+        assert path == stored
 
 
 # --------------------------------------------------------------------------------------------- speed

@@ -36,7 +36,8 @@ def test_ids_are_readable_and_never_taken_twice() -> None:
     changed, first = edits.add_automaton(project(), AGENT, "Goto")
     changed, second = edits.add_automaton(changed, AGENT, "GOTO")
     changed, odd = edits.add_automaton(changed, AGENT, "???")
-    assert (first, second, odd) == ("goto-2", "goto-3", "behavior")
+    changed, device = edits.add_automaton(changed, AGENT, "CON")
+    assert (first, second, odd, device) == ("goto-2", "goto-3", "behavior", "con-2")
 
 
 def test_an_edit_shares_everything_that_it_did_not_change() -> None:

@@ -165,7 +165,7 @@ def test_a_group_is_of_what_its_controller_may_control() -> None:
 
 def test_a_broken_table_cannot_be_edited_node_by_node() -> None:
     broken = edits.set_hierarchy(project(), ARM, LevelTable((2,), (GROUP, AGENT)))
-    with pytest.raises(EditError, match="cannot be edited node by node: .*1 level sizes"):
+    with pytest.raises(EditError, match=r"cannot be edited node by node: .*1 level sizes"):
         edits.remove_node(broken, ARM, "agent-1")
 
 
@@ -214,7 +214,7 @@ def test_a_type_in_use_is_not_deleted() -> None:
     assert edits.delete_type(edits.add_type(project(), "robot"), "robot") == project()
 
 
-@pytest.mark.parametrize("name", ["", "a/b", "..", AGENT])
+@pytest.mark.parametrize("name", ["", "a/b", "..", "con", "moments", AGENT, "Agent"])
 def test_a_type_names_a_folder_of_its_own(name: str) -> None:
     with pytest.raises(EditError):
         edits.add_type(project(), name)
@@ -229,6 +229,13 @@ def test_demonstrations_get_a_readable_id() -> None:
     changed, third = edits.add_demonstration(changed, replace(again, id=""))
     changed, named = edits.add_demonstration(changed, replace(again, id="By Hand"))
     assert (second, third, named) == ("goto-1-2", "goto", "By Hand")
+
+
+def test_a_demonstration_names_a_file() -> None:
+    with pytest.raises(
+        EditError, match="'a/b' cannot name a demonstration, since it names a file: it holds '/'"
+    ):
+        edits.add_demonstration(project(), replace(project().demonstrations[0], id="a/b"))
 
 
 def test_demonstrations_are_replaced_moved_and_removed() -> None:
