@@ -72,14 +72,13 @@ def move_nodes(
         EditError: A node would come under itself, or *under* is an agent.
     """
     forest = _forest(project, arm)
-    taken_out = tuple(_find_node(forest, arm, node_id) for node_id in dict.fromkeys(nodes))
+    taken_out = _find_apart(forest, arm, nodes)
     _refuse_agent(forest, arm, under)
     for node in taken_out:
         if any(below.id == under for below in node.walk()):
             raise EditError(
                 f"node {node.id!r} of arm {arm!r} cannot be moved under {under!r}, which is itself or below it"
             )
-    _refuse_nested(taken_out)
     moved = _put(_without(forest.roots, set(nodes)), taken_out, under, to)
     return set_hierarchy(project, arm, _tidied(moved, forest))
 
@@ -90,7 +89,7 @@ def group_nodes(
 ) -> tuple[Project, str]:
     """Put nodes under a new controller, which stands where the first of them stood; also returns its id."""
     forest = _forest(project, arm)
-    taken_out = tuple(_find_node(forest, arm, node_id) for node_id in dict.fromkeys(nodes))
+    taken_out = _find_apart(forest, arm, nodes)
     allowed = find_type(project, controller_type).subsidiaries
     if not taken_out:
         raise EditError("a group needs at least one node")
@@ -98,7 +97,6 @@ def group_nodes(
         raise EditError(
             f"{controller_type!r} cannot control {wrong[0].id!r} of type {wrong[0].type!r}; allowed: {listed(allowed)}"
         )
-    _refuse_nested(taken_out)
     first, *others = (node.id for node in taken_out)
     group_id = fresh_node_id({node.id for node in forest.walk()}, controller_type)
     group = Node(group_id, controller_type, taken_out, name)
@@ -132,24 +130,27 @@ def _forest(project: Project, arm: str) -> Hierarchy:
 
 
 def _find_node(forest: Hierarchy, arm: str, node_id: str) -> Node:
-    for node in forest.walk():
-        if node.id == node_id:
-            return node
-    raise EditError(
-        f"arm {arm!r} has no node {node_id!r}; its roots are: {listed(root.id for root in forest.roots)}"
-    )
+    return _find_apart(forest, arm, [node_id])[0]
+
+
+def _find_apart(forest: Hierarchy, arm: str, node_ids: Sequence[str]) -> Nodes:
+    """The nodes with these ids, none of which may stand below another."""
+    there = {node.id: node for node in forest.walk()}
+    for node_id in node_ids:
+        if node_id not in there:
+            roots = listed(root.id for root in forest.roots)
+            raise EditError(f"arm {arm!r} has no node {node_id!r}; its roots are: {roots}")
+    found = {node_id: there[node_id] for node_id in node_ids}
+    for node in found.values():
+        for below in node.walk():
+            if below is not node and below.id in found:
+                raise EditError(f"node {below.id!r} stands below {node.id!r}: name one of the two")
+    return tuple(found.values())
 
 
 def _refuse_agent(forest: Hierarchy, arm: str, under: str) -> None:
     if under and not _find_node(forest, arm, under).children:
         raise EditError(f"node {under!r} of arm {arm!r} is an agent; only controllers have subsidiaries")
-
-
-def _refuse_nested(nodes: Sequence[Node]) -> None:
-    for node in nodes:
-        for other in nodes:
-            if other is not node and any(below.id == other.id for below in node.walk()):
-                raise EditError(f"node {other.id!r} stands below {node.id!r}: name one of the two")
 
 
 # ------------------------------------------------------------------------------------ forests as values

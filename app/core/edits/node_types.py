@@ -89,7 +89,7 @@ def _renamed_in_arm(arm: Arm, name: str, new: str) -> Arm:
 
 @says("Delete node type {name}")
 def delete_type(project: Project, name: str) -> Project:
-    """No such type any more.
+    """No such type any more, nor examples that were left under its name.
 
     Raises:
         EditError: It has behaviors, stands under another type, or stands in an arm.
@@ -100,7 +100,8 @@ def delete_type(project: Project, name: str) -> Project:
     users += [f"arm {arm.name!r}" for arm in project.arms if name in _types_of(arm)]
     if users:
         raise EditError(f"node type {name!r} is used by {listed(users)}: delete or change these first")
-    return replace(project, types=tuple(t for t in project.types if t.name != name))
+    types = tuple(t for t in project.types if t.name != name)
+    return replace(project, types=types, examples={k: v for k, v in project.examples.items() if k != name})
 
 
 def _types_of(arm: Arm) -> set[str]:

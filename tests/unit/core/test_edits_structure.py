@@ -163,6 +163,13 @@ def test_a_group_is_of_what_its_controller_may_control() -> None:
         edits.dissolve_node(small(), ARM, "agent-1")
 
 
+def test_many_nodes_are_moved_at_once() -> None:
+    large = edits.set_hierarchy(project(), ARM, LevelTable((2, 2000), (GROUP, AGENT)))
+    nodes = [f"agent-{number}" for number in range(1, 2001)]
+    changed = edits.move_nodes(large, ARM, nodes, "group-2")
+    assert [len(root.children) for root in changed.arm(ARM).forest().roots] == [4000]
+
+
 def test_a_broken_table_cannot_be_edited_node_by_node() -> None:
     broken = edits.set_hierarchy(project(), ARM, LevelTable((2,), (GROUP, AGENT)))
     with pytest.raises(EditError, match=r"cannot be edited node by node: .*1 level sizes"):
