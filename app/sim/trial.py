@@ -6,7 +6,7 @@ outcome depends on the order of acting, a negative index, state that is kept out
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, SupportsIndex
+from typing import Any
 
 from ..core.chance import draw
 from ..core.errors import ScenarioError
@@ -54,7 +54,7 @@ class _Column(list[float]):
 
 
 def _refused(index: Any) -> Any:
-    if isinstance(index, SupportsIndex) and index.__index__() < 0:
+    if not isinstance(index, slice) and index < 0:
         raise IndexError(f"the index is {index}; allowed: 0 and up")
     return index
 
@@ -78,7 +78,8 @@ class _Trial:
                 if name in self._scenario.stages:
                     self._call(name, self._scenario.stages[name])
             self._world.clock[TICK] += 1
-        return self._frozen()
+            freeze(self._world, self._scenario)  # refuses what a column cannot hold
+        return self._seen()
 
     def _sense(self) -> None:
         """Ask for everything."""
@@ -101,9 +102,9 @@ class _Trial:
     @contextmanager
     def _unchanged(self, what: str, function: Callable[..., Any]) -> Iterator[None]:
         """Refuse that the world changes meanwhile."""
-        before = self._frozen()
+        before = self._seen()
         yield
-        if changed := _changed(before, self._frozen()):
+        if changed := _changed(before, self._seen()):
             how = f"it writes {changed[0][0]!r}, but only behaviors and stages write"
             raise broke(self._scenario.name, what, function, how)
 
@@ -128,14 +129,14 @@ class _Trial:
         for agent in EVERYONE:
             self._world.drive[agent] = self._world.turn[agent] = 0.0
         acts = [act for agent in EVERYONE if (act := self._chosen(agent)) is not None]
-        before = self._frozen()
+        before = self._seen()
         for act in reversed(acts):
             self._perform(*act)
-        backward = self._frozen()
+        backward = self._seen()
         thaw(self._world, before, self._scenario)
         for act in acts:
             self._perform(*act)
-        if changed := _changed(backward, self._frozen()):
+        if changed := _changed(backward, self._seen()):
             raise ScenarioError(
                 f"scenario {self._scenario.name!r}: column {changed[0][0]!r} depends on the order in which agents act; one "
                 f"of these behaviors reads what another writes: {', '.join(sorted({act[1] for act in acts}))}"
@@ -151,10 +152,10 @@ class _Trial:
 
     def _perform(self, agent: int, name: str, targets: tuple[int, ...]) -> None:
         function = self._scenario.behaviors[name]
-        before = self._frozen()
+        before = self._seen()
         self._call(f"behavior {name!r}", function, agent, *targets)
         per_entity = {column.name for column in self._scenario.columns if column.per is Per.ENTITY}
-        for column, entry in _changed(before, self._frozen()):
+        for column, entry in _changed(before, self._seen()):
             if entry != agent or column not in per_entity:
                 how = f"it writes entry {entry} of {column!r}, but agent {agent} acts; a behavior writes its agent's own entries"
                 raise broke(self._scenario.name, f"behavior {name!r}", function, how)
@@ -165,8 +166,10 @@ class _Trial:
         except Exception as error:
             raise failed(self._scenario.name, what, function, error) from error
 
-    def _frozen(self) -> FrozenWorld:
-        return freeze(self._world, self._scenario)
+    def _seen(self) -> FrozenWorld:
+        """A copy of the world as it is, whatever the columns hold."""
+        names = ("clock", *(column.name for column in self._scenario.columns))
+        return {name: tuple(getattr(self._world, name)) for name in names}
 
 
 def _forest() -> Hierarchy:
