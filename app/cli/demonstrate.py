@@ -18,6 +18,9 @@ from .wording import counted
 #: What of a project's folder a demonstration can change; layouts, experiments and other files are not ours to compare.
 COMPARED = ("project.json", "libraries", "examples", "demonstrations")
 
+#: As many as a user reads; --json names them all.
+MOST_LISTED = 20
+
 
 def demonstrate_project(
     folder: Path, words: Sequence[str], *, only_check: bool, trust: bool, as_json: bool
@@ -130,4 +133,7 @@ def lines(
     verdict = (
         "all files come out the same" if not differing else f"{counted(len(differing), 'file')} would differ:"
     )
-    return [*said, f"{total}; {verdict}", *(f"  {file}" for file in differing)]
+    listed = [f"  {file}" for file in differing[:MOST_LISTED]]
+    if len(differing) > MOST_LISTED:
+        listed.append(f"  and {len(differing) - MOST_LISTED} more")
+    return [*said, f"{total}; {verdict}", *listed]

@@ -39,8 +39,10 @@ def figure_of_runs(title: str, subtitle: str, scenario: Scenario, arms: Sequence
     )
 
 
-def forest_in_words(arm: Arm) -> str:
-    """How many agents there are, and how many above them: "50 agents, 10 controllers"."""
+def structure(arm: Arm) -> str:
+    """What the user says of an arm's structure, or what is counted: "50 agents, 10 controllers"."""
+    if arm.note:
+        return arm.note
     forest = arm.forest()
     agents, controllers = len(forest.agents()), len(forest.controllers())
     return counted(agents, "agent") + (f", {counted(controllers, 'controller')}" if controllers else "")
@@ -73,7 +75,7 @@ def _meaning(scenario: Scenario, measure: str) -> str:
 def _world(shown: Shown, measure: str, scenario: Scenario, color: int) -> WorldView:
     result = shown.results[0]
     amount = f"{number(result.measures[measure])} {measure}"
-    caption = f"{forest_in_words(shown.arm)} · {amount}"
+    caption = f"{structure(shown.arm)} · {amount}"
     if len(shown.results) > 1:
         caption += f" · seed {result.seed}"
     bodies, walkers = _bodies(shown, scenario), _walkers(shown)

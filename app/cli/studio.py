@@ -13,7 +13,7 @@ from .console import PROGRAM, progress, say, show, show_table
 from .demonstrate import play
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
-from .pictures import Shown, figure_of_runs, forest_in_words
+from .pictures import Shown, figure_of_runs, structure
 from .places import cores, display, shipped_project
 from .probes import writable
 from .run import draw_picture, refuse_picture
@@ -125,7 +125,7 @@ def rows(done: Sequence[tuple[Arm, RunResult]]) -> list[list[str]]:
     return [
         [
             arm.name,
-            forest_in_words(arm),
+            structure(arm),
             *(number(v) for v in result.measures.values()),
             "yes" if result.stalled else "",
         ]

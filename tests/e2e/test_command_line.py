@@ -75,15 +75,6 @@ def test_a_run_without_a_picture_imports_no_qt(boxes: Path) -> None:
     )
 
 
-def test_every_verb_has_help_with_examples() -> None:
-    for verb in ("new", "check", "train", "run", "demonstrate", "doctor"):
-        done = understudy(verb, "--help")
-        assert done.returncode == 0
-        assert "Examples:" in done.stdout
-        assert f"understudy {verb}" in done.stdout
-        assert "--json" in done.stdout
-
-
 def test_help_names_only_verbs_that_exist() -> None:
     said = understudy("--help").stdout
     assert all(verb in said for verb in ("new", "check", "train", "run", "demonstrate", "doctor"))

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -44,10 +45,8 @@ def image(figure: Figure, *, dark: bool = False) -> QImage:
 
 
 def has(picture: QImage, color: str) -> bool:
-    wanted = QColor(color).rgb()
-    return any(
-        picture.pixel(x, y) == wanted for y in range(picture.height()) for x in range(0, picture.width(), 2)
-    )
+    pixels = np.frombuffer(picture.convertToFormat(QImage.Format.Format_RGB32).constBits(), np.uint32)
+    return bool((pixels == QColor(color).rgb()).any())
 
 
 @pytest.mark.parametrize("worlds", [0, 1, 2, 3, 4])

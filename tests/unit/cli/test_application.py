@@ -7,6 +7,7 @@ import pytest
 
 from app.cli import main
 from app.cli.application import with_verb
+from app.cli.verbs import NAMES, STUDIO
 from app.core.errors import ParameterError
 from tests.unit.cli.foraging import stored
 
@@ -46,6 +47,14 @@ def test_asking_is_no_failure(arguments: list[str], capsys: pytest.CaptureFixtur
     out, err = capsys.readouterr()
     assert out
     assert err == ""
+
+
+@pytest.mark.parametrize("verb", [name for name in NAMES if name != STUDIO])
+def test_every_verb_has_help_with_examples_and_json(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([verb, "--help"]) == 0
+    out = capsys.readouterr().out
+    assert f"understudy {verb}" in out.split("Examples:")[1]
+    assert "--json" in out
 
 
 @pytest.mark.parametrize(

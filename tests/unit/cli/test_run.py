@@ -9,7 +9,7 @@ import pytest
 
 from app.cli import main
 from app.cli.console import Advance
-from app.cli.pictures import Shown, figure_of_runs, forest_in_words
+from app.cli.pictures import Shown, figure_of_runs, structure
 from app.cli.run import SMALL_WORK, Request, columns, means, rows, worthwhile
 from app.cli.worlds import Bench, Plan, Ran, run_plans
 from app.core.errors import ScenarioError
@@ -259,11 +259,12 @@ def test_a_figure_says_what_its_marks_mean() -> None:
 
 
 def test_a_structure_is_told_in_words() -> None:
-    assert [forest_in_words(arm) for arm in ARMS] == [
+    assert [structure(arm) for arm in ARMS] == [
         "10 agents",
         "10 agents, 2 controllers",
         "10 agents, 3 controllers",
     ]
+    assert structure(replace(ARMS[0], note="ten on their own")) == "ten on their own"
 
 
 @pytest.mark.parametrize("ending", FORMATS)

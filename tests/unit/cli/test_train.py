@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from app.cli import main
-from app.cli.demonstrate import differences
+from app.cli.demonstrate import differences, lines
 from app.cli.train import remarks, rows, summary
 from app.core.storage import load, save
 from app.learner.dataset import LeftOut
@@ -161,6 +161,11 @@ def test_files_that_are_not_of_the_project_s_making_are_not_compared(homing: Pat
     (homing / "layouts").mkdir()
     (homing / "layouts" / "window.json").write_text("{}")
     assert differences(load(homing), homing) == ()
+
+
+def test_of_many_differing_files_the_first_are_listed_and_the_rest_counted() -> None:
+    said = lines(taught(), [], [f"file-{number}" for number in range(25)], only_check=True)
+    assert said[1:] == [*(f"  file-{number}" for number in range(20)), "  and 5 more"]
 
 
 def test_only_the_named_behaviors_are_demonstrated(homing: Path, capsys: pytest.CaptureFixture[str]) -> None:
