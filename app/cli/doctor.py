@@ -109,8 +109,13 @@ def _packages() -> Iterable[Finding]:
 def package_findings(wanted: Mapping[str, str], there: Mapping[str, str]) -> list[Finding]:
     """What is missing or not as locked, one by one, and how many are as they should be."""
     missing = [name for name in wanted if not there[name]]
-    other = [name for name in wanted if there[name] and wanted[name] not in ("any", there[name])]
-    found = [Finding("packages", f"{len(wanted) - len(missing) - len(other)} of {len(wanted)} as locked")]
+    other = [name for name in wanted if there[name] and wanted[name] not in (probes.ANY, there[name])]
+    right = f"{len(wanted) - len(missing) - len(other)} of {len(wanted)}"
+    found = [
+        Finding(
+            "packages", f"{right} there" if set(wanted.values()) == {probes.ANY} else f"{right} as locked"
+        )
+    ]
     again = "install again: " + shlex.join(_install_command())
     found += [Finding(name, f"not there; locked: {wanted[name]}", State.MISSING, again) for name in missing]
     found += [Finding(name, f"{there[name]}; locked: {wanted[name]}", State.NOTE) for name in other]

@@ -10,6 +10,8 @@ from importlib.metadata import PackageNotFoundError, requires, version
 from importlib.util import find_spec
 from pathlib import Path
 
+#: The version asked for where no lock says one.
+ANY = "any"
 #: Seconds that a program gets to show that it starts.
 PATIENCE = 60.0
 
@@ -101,13 +103,11 @@ def debian_packages(clone: Path) -> Mapping[str, str]:
 
 
 def locked(clone: Path) -> Mapping[str, str]:
-    """Package -> version in the clone's lock; where there is no clone, what the installed package asks for, as "any"."""
+    """Package -> version in the clone's lock; where there is no clone, `ANY` of what the installed package asks for."""
     try:
         return dict(_PIN.findall((clone / "requirements.lock").read_text(encoding="utf-8")))
     except OSError:
-        return {
-            re.split(r"[^A-Za-z0-9._-]", name)[0]: "any" for name in _required() if "extra ==" not in name
-        }
+        return {re.split(r"[^A-Za-z0-9._-]", name)[0]: ANY for name in _required() if "extra ==" not in name}
 
 
 def _required() -> list[str]:

@@ -12,6 +12,8 @@ from .figures import Body, Figure, Series, Walker
 from .palette import DARK, LIGHT, Palette
 from .world_painting import CAPTION, paint_body, paint_cross, paint_walker, paint_world
 
+#: A unit of layout is a pixel of CSS.
+PIXELS_PER_INCH = 96
 #: Pixels of a PNG to a unit of layout: sharp on dense screens.
 SCALE = 2
 WIDTH, MARGIN, GAP = 1200.0, 32.0, 24.0
@@ -44,14 +46,15 @@ def _svg(figure: Figure, size: QSizeF, buffer: QBuffer, palette: Palette) -> Non
     generator.setOutputDevice(buffer)
     generator.setSize(size.toSize())
     generator.setViewBox(QRectF(QPointF(), size))
+    generator.setResolution(PIXELS_PER_INCH)
     generator.setTitle(figure.title)
     _paint(figure, generator, size, palette)
 
 
 def _pdf(figure: Figure, size: QSizeF, buffer: QBuffer, palette: Palette) -> None:
     writer = QPdfWriter(buffer)
-    writer.setResolution(96)
-    writer.setPageSize(QPageSize(size * 0.75, QPageSize.Unit.Point))
+    writer.setResolution(PIXELS_PER_INCH)
+    writer.setPageSize(QPageSize(size * (72 / PIXELS_PER_INCH), QPageSize.Unit.Point))
     writer.setPageMargins(QMarginsF())
     writer.setTitle(figure.title)
     _paint(figure, writer, size, palette)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -71,6 +72,13 @@ def test_what_is_full_busy_and_drawn_shows_in_its_color(qtbot: QtBot, *, dark: b
 )
 def test_every_format_is_what_its_ending_says(qtbot: QtBot, ending: str, beginning: bytes) -> None:
     assert painted(FIGURE, ending).startswith(beginning)
+
+
+def test_an_svg_is_shown_at_the_size_of_its_layout(qtbot: QtBot) -> None:
+    root = ElementTree.fromstring(painted(FIGURE, ".svg"))
+    assert root.get("viewBox") == f"0 0 {WIDTH:g} {height_of(FIGURE):g}"
+    # A millimeter is 96 / 25.4 pixels of CSS.
+    assert float(root.get("width", "").removesuffix("mm")) * 96 / 25.4 == pytest.approx(WIDTH, abs=1)
 
 
 def test_the_same_figure_gives_the_same_pixels(qtbot: QtBot) -> None:

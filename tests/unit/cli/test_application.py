@@ -1,12 +1,14 @@
 """From what is typed to an exit code and a message."""
 
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from app.cli import main
 from app.cli.application import with_verb
+from app.cli.places import CLONE
 from app.cli.verbs import NAMES, STUDIO
 from app.core.errors import ParameterError
 from tests.unit.cli.foraging import stored
@@ -55,6 +57,12 @@ def test_every_verb_has_help_with_examples_and_json(verb: str, capsys: pytest.Ca
     out = capsys.readouterr().out
     assert f"understudy {verb}" in out.split("Examples:")[1]
     assert "--json" in out
+
+
+def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    pyproject = tomllib.loads((CLONE / "pyproject.toml").read_text())
+    main(["--version"])
+    assert capsys.readouterr().out == f"understudy {pyproject['project']['version']}\n"
 
 
 @pytest.mark.parametrize(
