@@ -43,3 +43,7 @@ class SessionError(UnderstudyError):
 
 class ProgramError(UnderstudyError):
     """Behaviors cannot be turned into the flat tables that the compiled kernel steps; the reference engine runs them."""
+
+
+class UncompilableError(ScenarioError):
+    """A scenario cannot be compiled; the reference engine runs it all the same."""

@@ -6,6 +6,7 @@ generated file holds a hash of the scenario's functions, the kernel's own, and t
 
 import hashlib
 import os
+import re
 import sys
 from collections.abc import Callable
 from importlib.util import module_from_spec, spec_from_file_location
@@ -20,7 +21,7 @@ from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
-from ...core.errors import ScenarioError
+from ...core.errors import UncompilableError
 from ..scenario import Scenario
 from . import columns, drawing, linking, tick
 from .source import Layout, kernel_source, scenario_functions
@@ -47,7 +48,7 @@ def build(
         folder: Where generated modules are kept; the user's cache folder by default.
 
     Raises:
-        ScenarioError: numba cannot compile one of the scenario's functions.
+        UncompilableError: numba cannot compile one of the scenario's functions.
     """
     source = kernel_source(scenario, layout)
     name = "kernel_" + _digest(scenario, source)
@@ -72,6 +73,9 @@ def _digest(scenario: Scenario, source: str) -> str:
 
 def _compiled(scenario: Scenario, source: str, name: str, folder: Path, notice: Notice | None) -> Kernel:
     path = _written(folder / f"{name}.py", source)
+    refused = path.with_suffix(".refused")  # numba takes seconds to find out: once is enough
+    if refused.exists():
+        raise UncompilableError(refused.read_text(encoding="utf-8"))
     if notice is not None and not list(path.parent.glob(f"__pycache__/{name}.*.nbi")):
         notice(f"compiling the kernel of {scenario.name!r}, once")
     module = _loaded(scenario, name, path)
@@ -80,7 +84,9 @@ def _compiled(scenario: Scenario, source: str, name: str, folder: Path, notice: 
     try:
         kernel(*_no_world(module), nothing, 0)
     except NumbaError as error:
-        raise ScenarioError(f"scenario {scenario.name!r} cannot be compiled: {_gist(error)}") from error
+        message = f"scenario {scenario.name!r} cannot be compiled: {_gist(error)}"
+        refused.write_text(message, encoding="utf-8")
+        raise UncompilableError(message) from error
     return kernel
 
 
@@ -112,7 +118,7 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
         column_f=columns.column_f,
         column_i=columns.column_i,
         compiled=numba.njit(nogil=True, cache=True),
-        inlined=numba.njit(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True),
+        inlined=lambda function: _compile_one(function, inline=True),
         linked=lambda **instead: linker.linked(tick.run, instead),
     )
     sys.modules[name] = module
@@ -120,13 +126,23 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
     return module
 
 
-def _compile_one(function: FunctionType, inline: bool) -> Any:  # noqa: FBT001 - the shape of `linking.Compile`
-    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return numba.njit(nogil=True, forceinline=inline, **options)(function)
+def _compile_one(function: FunctionType, *, inline: bool) -> Any:
+    """A part of a kernel; Python never calls it, so it needs no wrappers."""
+    return _njit(nogil=True, forceinline=inline, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+
+
+#: Its stubs leave out what saves half the time of compiling.
+_njit: Any = numba.njit
 
 
 def _gist(error: NumbaError) -> str:
-    """The lines of numba's message that name the function and what is wrong with it."""
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    told = [line for line in lines if not line.startswith(("During", "There are", ">>>", "[1m"))]
-    return " / ".join(dict.fromkeys(told[-4:]))[:400]
+    """What numba says is wrong, and in which file and line."""
+    lines = [_COLOR.sub("", line).strip() for line in str(error).splitlines()]
+    told = [line.removeprefix(">>> ") for line in lines if line and not line.startswith("Failed in nopython")]
+    what = " ".join(told[:2] if told[0].endswith(":") else told[:1])
+    place = next((found for line in lines if (found := _PLACE.search(line))), None)
+    return f"{Path(place[1]).name}, line {place[2]}: {what}" if place else what
+
+
+_COLOR = re.compile(r"\x1b\[[0-9;]*m")
+_PLACE = re.compile(r"^During: .* at (.+) \((\d+)\)$")

@@ -50,7 +50,8 @@ class KernelEngine:
             folder: Where compiled kernels are kept; the user's cache folder by default.
 
         Raises:
-            ScenarioError: The scenario cannot be compiled, or its reset failed.
+            UncompilableError: The scenario cannot be compiled.
+            ScenarioError: Its reset failed.
         """
         self.start = start
         self.obstacle = ""

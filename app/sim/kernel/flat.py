@@ -18,14 +18,18 @@ class FlatWorld:
 
     Attributes:
         world: Name -> column.
+        runs: What the nodes do, name -> column.
+        shape: A plain world of the same shape.
+        sizes: Those of the program, in the order of `SIZES`.
     """
 
     def __init__(self, scenario: Scenario, world: World, notice: Notice | None, folder: Path | None) -> None:
         """Make room for a world of this shape.
 
         Raises:
-            ScenarioError: The scenario cannot be compiled.
+            UncompilableError: The scenario cannot be compiled.
         """
+        self.shape = world
         layout = layout_of(world, scenario)
         self._kernel = build(scenario, layout, notice, folder)
         self.world: dict[str, Column] = {
@@ -43,23 +47,31 @@ class FlatWorld:
         self._scalars = [int(getattr(world, name)) for name in layout.scalars]
         self._world_at = _addresses([*self.world.values(), *self._parameters.values()])
         self.runs: Mapping[str, Column] = {}
+        self.sizes: list[int] = []
         self._program: Program | None = None
-        self._tables_at = self._runs_at = self._sizes = np.zeros(0, np.int64)
+        self._tables_at = self._runs_at = self._whole = np.zeros(0, np.int64)
 
     def use(self, program: Program, runs: Mapping[str, Column]) -> None:
         """Let the nodes do what *runs* say."""
         if program is not self._program:
             self._program = program
             self._tables_at = _addresses([program.columns[name] for name in TABLE_COLUMNS])
-            self._sizes = np.array([*self._scalars, *_sizes(program.sizes)], np.int64)
+            self.sizes = _sizes(program.sizes)
+            self._whole = np.array([*self._scalars, *self.sizes], np.int64)
         self.runs = runs
         self.runs["once"][ENTITIES] = self._lengths["x"]
         self._runs_at = _addresses([runs[name] for name in RUN_COLUMNS])
 
+    @property
+    def program(self) -> Program:
+        """The program in use."""
+        assert self._program is not None
+        return self._program
+
     def run(self, ticks: int) -> bool:
         """Pass ticks; False if a function of the scenario answered with what it cannot mean."""
         self.runs["once"][FAULT] = 0
-        self._kernel(self._world_at, self._tables_at, self._runs_at, self._sizes, ticks)
+        self._kernel(self._world_at, self._tables_at, self._runs_at, self._whole, ticks)
         return bool(self.runs["once"][FAULT] == 0)
 
     def read(self, world: World) -> None:

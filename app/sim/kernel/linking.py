@@ -4,13 +4,17 @@ The originals stay as they are; the reference engine goes on calling them.
 """
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dis import get_instructions
 from types import CodeType, FunctionType, ModuleType
-from typing import Any
+from typing import Any, Protocol
 
-#: Turns a function into a compiled one; the second argument asks for it to become part of its callers.
-Compile = Callable[[FunctionType, bool], Any]
+
+class Compile(Protocol):
+    """Turns a function into a compiled one."""
+
+    def __call__(self, function: FunctionType, *, inline: bool) -> Any:
+        """The compiled twin; *inline* asks for it to become part of its callers."""
 
 
 class Linker:
@@ -36,7 +40,7 @@ class Linker:
             function.__code__, namespace, function.__name__, function.__defaults__, function.__closure__
         )
         inline = self._inline_loops or not _has_loop(function.__code__)
-        self._done[function] = made = self._compile(bound, inline)
+        self._done[function] = made = self._compile(bound, inline=inline)
         for name, value in referred(function).items():
             if instead is not None and name in instead:
                 namespace[name] = instead[name]

@@ -327,7 +327,7 @@ def next_state(
     return decided(tab, runs, row, state, leaf, trees, met, forbidden, entries, left, drawer, level, now)
 
 
-def decided(
+def decided(  # noqa: PLR0917 - as many numbers as there are: compiled code takes scalars
     tab: Tables,
     runs: Runs,
     row: int,

@@ -391,8 +391,8 @@ class _Lowering:
         )
 
     def _sizes(self) -> Sizes:
-        automata = [row.automaton for row in self._automata.values()]
-        parameters = [behavior.parameters for behavior in (*self._basics.values(), *automata)]
+        parameters = [basic.parameters for basic in self._basics.values()]
+        parameters += [row.automaton.parameters for row in self._automata.values()]
         return Sizes(
             nodes=len(self._actors),
             controllers=sum(not actor.is_agent for actor in self._actors),
