@@ -1,5 +1,6 @@
 """From what the user typed to an exit code; every error ends here, as a message."""
 
+import io
 import os
 import sys
 from collections.abc import Collection, Sequence
@@ -26,12 +27,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr] # a narrow encoding is no failure
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # a name that the encoding lacks is no failure
     try:
         code = _obey(given)
         sys.stdout.flush()
-    except BrokenPipeError:
-        code = _reader_left()
+    except BrokenPipeError:  # whoever read our output has gone, and wants no more of it
+        code = _muted()
+    except OSError as error:
+        say(f"the output cannot be written: {error.strerror}")
+        code = _muted()
     return code
 
 
@@ -82,7 +87,7 @@ def _usage(error: typer.TyperException) -> str:
     return f"{error.format_message()}\n  {path} --help says what can be given".replace(f" {STUDIO} ", " ")
 
 
-def _reader_left() -> int:
-    """Whoever read our output went away: be quiet from here on, at the interpreter's end, too."""
+def _muted() -> int:
+    """Write no output from here on, at the interpreter's end neither."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return FELL_SHORT

@@ -147,6 +147,21 @@ def test_a_reader_that_goes_away_gets_no_traceback(boxes: Path) -> None:
     assert (done.returncode, done.stderr) == (1, "")
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="only Linux has a disk that is always full")
+def test_output_on_a_full_disk_gets_a_message(boxes: Path) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            command("check", boxes),
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment(),
+            check=False,
+        )
+    assert done.returncode == 1
+    assert done.stderr == "understudy: the output cannot be written: No space left on device\n"
+
+
 #: The bar as it begins, and as soon as it can tell how much time is left.
 BEGINNING, UNDER_WAY = re.compile(rb"Running"), re.compile(rb"\d:\d\d:\d\d")
 

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from itertools import pairwise
-from xml.etree import ElementTree
+from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
@@ -75,7 +75,7 @@ def test_every_format_is_what_its_ending_says(qtbot: QtBot, ending: str, beginni
 
 
 def test_an_svg_is_shown_at_the_size_of_its_layout(qtbot: QtBot) -> None:
-    root = ElementTree.fromstring(painted(FIGURE, ".svg"))
+    root = ET.fromstring(painted(FIGURE, ".svg"))
     assert root.get("viewBox") == f"0 0 {WIDTH:g} {height_of(FIGURE):g}"
     # A millimeter is 96 / 25.4 pixels of CSS.
     assert float(root.get("width", "").removesuffix("mm")) * 96 / 25.4 == pytest.approx(WIDTH, abs=1)
