@@ -9,7 +9,7 @@ from pathlib import Path
 import typer
 
 from ..core.errors import ParameterError, UnderstudyError
-from .console import PROGRAM, say
+from .console import PROGRAM, OutputError, say, writing
 from .exits import FELL_SHORT, INTERRUPTED, WRONG_INPUT
 from .verbs import NAMES, STUDIO, verbs
 from .wording import unknown
@@ -31,11 +31,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="backslashreplace")  # a name that the encoding lacks is no failure
     try:
         code = _obey(given)
-        sys.stdout.flush()
-    except BrokenPipeError:  # whoever read our output has gone, and wants no more of it
+        with writing():
+            sys.stdout.flush()
+    except BrokenPipeError:
         code = _muted()
-    except OSError as error:
-        say(f"the output cannot be written: {error.strerror}")
+    except OutputError as error:
+        say(str(error))
         code = _muted()
     return code
 
@@ -54,7 +55,7 @@ def _obey(given: list[str]) -> int:
     except typer.TyperException as error:
         say(_usage(error))
         return WRONG_INPUT
-    except BrokenPipeError:
+    except (BrokenPipeError, OutputError):
         raise
     except Exception as error:  # noqa: BLE001 - the last place where it can become a message
         from .crash import report

@@ -25,14 +25,30 @@ def say(message: str) -> None:
     print(f"{PROGRAM}: {message}", file=sys.stderr, flush=True)
 
 
+class OutputError(Exception):
+    """The result cannot be written to where stdout goes."""
+
+
+@contextmanager
+def writing() -> Iterator[None]:
+    """Tells an output that cannot be written from all other failures of the system."""
+    try:
+        yield
+    except BrokenPipeError:  # whoever read it has gone, which is no failure
+        raise
+    except OSError as error:
+        raise OutputError(f"the output cannot be written: {error.strerror}") from error
+
+
 def show(text: str = "") -> None:
     """A line of the result."""
-    print(text)
+    with writing():
+        print(text)
 
 
 def show_json(document: Any) -> None:
     """The result as one JSON document."""
-    print(json.dumps(document, indent=2, allow_nan=False))
+    show(json.dumps(document, indent=2, allow_nan=False))
 
 
 def show_table(columns: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -> None:
@@ -49,7 +65,8 @@ def show_table(columns: Sequence[str], rows: Sequence[Sequence[str]], words: int
         table.add_column(column, justify="left" if index < words else "right", overflow="fold")
     for row in rows:
         table.add_row(*row)
-    _console(sys.stdout).print(table)
+    with writing():
+        _console(sys.stdout).print(table)
 
 
 def _console(stream: TextIO) -> Any:
