@@ -231,10 +231,41 @@ def test_without_a_display_the_demonstration_ends_with_numbers_and_a_picture(tmp
     assert (tmp_path / "understudy-demonstration.png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        ("raise ImportError('libEGL.so.1: cannot open shared object file')", "libEGL.so.1"),
+        ("import os; os.abort()", "Qt could not start"),
+    ],
+)
+def test_where_qt_does_not_load_the_numbers_come_and_a_line_says_what_is_missing(
+    code: str, said: str, tmp_path: Path
+) -> None:
+    (tmp_path / "broken" / "PySide6").mkdir(parents=True)
+    (tmp_path / "broken" / "PySide6" / "__init__.py").write_text(code)
+    folder = stored(tmp_path / "homing", taught())
+    path = os.pathsep.join((str(tmp_path / "broken"), str(ROOT)))
+    done = understudy(folder, "--ticks", "20", cwd=tmp_path, PYTHONPATH=path)
+    assert done.returncode == 1
+    assert "3 agents" in done.stdout
+    assert said in done.stderr.splitlines()[-1]
+    assert "understudy doctor" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
 def test_without_a_clone_or_a_terminal_nothing_depends_on_the_current_folder(tmp_path: Path) -> None:
     (tmp_path / "app").mkdir()
     (tmp_path / "app" / "__init__.py").write_text("raise SystemExit('the wrong app')")
     assert understudy("--version", cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.slow
+def test_with_nothing_said_the_shipped_library_is_learned_again_and_run(tmp_path: Path) -> None:
+    done = understudy("--ticks", "20", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "8 behaviors learned again from" in done.stdout
+    assert [name in done.stdout for name in ("independent", "one level", "two levels")] == [True] * 3
+    assert (tmp_path / "understudy-demonstration.png").exists()
 
 
 def test_three_structures_run_at_once(tmp_path: Path) -> None:
