@@ -10,7 +10,7 @@ from ..core.check import refuse
 from ..core.errors import ParameterError, StorageError
 from ..core.project import Arm, Project, Value
 from ..editor.figures import Figure, FigureError, draw, refuse_format
-from ..engine.runs import RunResult, start_engine, treatment
+from ..engine.runs import RunResult, Treatment, start_engine, treatment
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
@@ -98,28 +98,37 @@ def carry_out(request: Request, opened: Opened) -> tuple[Outcome, bool]:
     Raises:
         UnderstudyError: The request names something that does not exist, or is not allowed.
     """
-    project, scenario = opened.project, opened.scenario
-    if request.seed + request.runs - 1 > LARGEST_SEED:
-        raise ParameterError(
-            f"seeds go up to {LARGEST_SEED}, but the last would be {request.seed + request.runs - 1}"
-        )
-    arm = chosen_arm(project, request.arm)
-    settings = parsed(request.settings, scenario)
-    settled = treatment(project, scenario, arm, settings, request.top)
-    refuse(_with_arm(project, settled.arm), scenario.vocabulary, arm.name)
-    start_engine(settled, request.seed)  # what is wrong with the world is known before any process is started
-    plans = [Plan(arm, request.seed + k, request.ticks, settings, request.top) for k in range(request.runs)]
+    arm = chosen_arm(opened.project, request.arm)
+    settings = parsed(request.settings, opened.scenario)
+    settled = checked(request, opened, arm, settings)
+    plans = [Plan(arm, seed, request.ticks, settings, request.top) for seed in seeds(request)]
+    processes = request.jobs or worthwhile(request, len(settled.arm.forest().agents()))
     began = time.perf_counter()
     with progress(f"Running {arm.name}", request.ticks * request.runs) as advance:
-        bench = Bench(project, opened.folder, request.trust)
-        ran = run_plans(
-            bench, plans, request.jobs or worthwhile(request, len(settled.arm.forest().agents())), advance
-        )
+        ran = run_plans(Bench(opened.project, opened.folder, request.trust), plans, processes, advance)
     seconds = time.perf_counter() - began
     results = tuple(result for result in ran.results if result is not None)
-    return Outcome(
-        project, settled.arm, settled.parameters, settings, request.ticks, results, seconds
-    ), ran.interrupted
+    outcome = Outcome(
+        opened.project, settled.arm, settled.parameters, settings, request.ticks, results, seconds
+    )
+    return outcome, ran.interrupted
+
+
+def seeds(request: Request) -> range:
+    """A seed a run."""
+    last = request.seed + request.runs - 1
+    if last > LARGEST_SEED:
+        raise ParameterError(f"seeds go up to {LARGEST_SEED}, but the last would be {last}")
+    return range(request.seed, last + 1)
+
+
+def checked(request: Request, opened: Opened, arm: Arm, settings: Mapping[str, Value]) -> Treatment:
+    """What every run is: all that is wrong with it is known before any process is started."""
+    seed = seeds(request)[0]
+    settled = treatment(opened.project, opened.scenario, arm, settings, request.top)
+    refuse(_with_arm(opened.project, settled.arm), opened.scenario.vocabulary, arm.name)
+    start_engine(settled, seed)
+    return settled
 
 
 def worthwhile(request: Request, agents: int) -> int:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ..core.check import refuse
 from ..core.errors import ParameterError
 from ..core.project import Arm, Project
 from ..engine.runs import RunResult, treatment
@@ -94,7 +95,10 @@ def story(taught: Taught) -> str:
 
 def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, seed: int, trust: bool) -> int:
     """Run each arm once, and end with numbers and a picture."""
-    arms = taught.opened.project.arms[:MOST_ARMS]
+    project = taught.opened.project
+    arms = project.arms[:MOST_ARMS]
+    for arm in arms:
+        refuse(project, taught.opened.scenario.vocabulary, arm.name)
     began = time.perf_counter()
     ran = run_arms(taught.opened, arms, ticks=ticks, seed=seed, trust=trust)
     seconds = time.perf_counter() - began
