@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import inf, nextafter, pi
 from random import Random
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -194,6 +195,22 @@ def test_the_bounded_search_for_arcs_finds_what_trying_all_pairs_finds(
         zip(low[best], high[best], strict=True)
     )
     assert found[3][near].max() == information[best].max()
+
+
+@given(
+    labels=st.lists(st.sampled_from(["A", "B", "ABC", "ABAB"]), min_size=8, max_size=40),
+    repeats=st.integers(2, 4),
+)
+@settings(max_examples=40)
+def test_few_and_many_cuts_are_searched_with_one_result(labels: list[str], repeats: int) -> None:
+    """The labels come round again, so that many arcs are equally good."""
+    around = "".join(labels) * repeats
+    points = [example(n, label, {"f": 6 * n / len(around) - 3}) for n, label in enumerate(around)]
+    data = of(points, column("f", TOROIDAL))
+    with patch.object(arcs, "FEW_CUTS", 10**6):
+        plainly = build(data, Growth(max_depth=1))
+    with patch.object(arcs, "FEW_CUTS", 8):
+        assert build(data, Growth(max_depth=1)) == plainly
 
 
 @given(sums=prefix_sums())

@@ -66,6 +66,18 @@ def test_where_nothing_gains_a_node_is_halved() -> None:
     assert tree.root.test == AtMost("f", 1.5)
 
 
+def test_where_nothing_gains_the_feature_that_parts_most_evenly_is_taken() -> None:
+    """f parts 2 from 6, g parts 4 from 4, both labels evenly on every side."""
+    tree = build(
+        table(
+            *(("A", 0, 0), ("A", 1, 0), ("A", 1, 1), ("A", 1, 1)),
+            *(("B", 0, 1), ("B", 1, 0), ("B", 1, 0), ("B", 1, 1)),
+        )
+    )
+    assert isinstance(tree.root, Branch)
+    assert tree.root.test == AtMost("g", 0.5)
+
+
 def test_equal_offers_are_decided_for_the_first_feature() -> None:
     tree = build(table(("A", 1, 10), ("B", 2, 20)))
     assert tree.features() == ("f",)
@@ -101,6 +113,15 @@ def test_a_split_of_less_than_average_gain_is_not_taken_however_high_its_ratio()
     tree = build(three_booleans()["fg"])
     assert isinstance(tree.root, Branch)
     assert tree.root.test == Equals("f", 1.0)
+
+
+def test_of_equal_gain_ratios_the_higher_gain_wins() -> None:
+    """f parts the one A off, g the two C: both are pure (ratio 1). h lowers the average enough for both."""
+    rows = [("A", 1, 0, 0), ("B", 0, 0, 0), ("B", 0, 0, 1), ("C", 0, 1, 0), ("C", 0, 1, 1)]
+    made = [example(n, label, {"f": f, "g": g, "h": h}) for n, (label, f, g, h) in enumerate(rows)]
+    tree = build(of(made, *(column(name, BOOLEAN) for name in "fgh")))
+    assert isinstance(tree.root, Branch)
+    assert tree.root.test == Equals("g", 1.0)
 
 
 def test_by_gain_the_highest_gain_wins() -> None:

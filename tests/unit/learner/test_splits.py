@@ -116,6 +116,10 @@ def test_a_cut_in_the_gap_with_the_seam_lies_beside_the_transition() -> None:
     assert seam_cut(Side(3.0, False), Side(-2.0, True), 2 * pi) == nextafter(3.0, inf)
 
 
+def test_beside_the_last_angle_below_the_seam_lies_the_first_one_above_it() -> None:
+    assert seam_cut(Side(nextafter(pi, 0), False), Side(-2.0, True), 2 * pi) == -pi
+
+
 @given(
     values=st.lists(st.floats(-pi, nextafter(pi, 0)), min_size=2, max_size=2, unique=True),
     last=SIDES,
