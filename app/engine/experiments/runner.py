@@ -1,0 +1,236 @@
+"""Making the runs of an experiment: worlds side by side on threads of this process, each result kept at once.
+
+The compiled engine lets go of the interpreter while it steps, so threads are enough. Runs are handed out one by one, a
+round of all cells at a time; at no moment are more of them in memory than are being made.
+"""
+
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from threading import Event
+
+import numpy as np
+
+from ...core.project import Project
+from ...sim.engine import Engine, Start
+from ...sim.engines import make_engine
+from ...sim.scenario import Scenario
+from ..runs import STALLED_PART, Treatment, slices
+from .plan import Cell, Experiment
+from .store import Results, Row
+from .treatments import Ready, Treatments
+
+#: Seconds between looks at how far the threads are.
+GLANCE = 0.2
+#: A run heeds `Controls` at least once in so many ticks.
+LONGEST_SLICE = 1_000
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far an experiment is.
+
+    Attributes:
+        found: Runs that were there when it began.
+        ticks: Ticks that have passed in unfinished runs.
+        seconds_left: None before anything can be said.
+    """
+
+    runs: int
+    done: int
+    found: int
+    ticks: float
+    seconds_left: float | None
+
+    @property
+    def share(self) -> float:
+        """From 0 to 1."""
+        return min(1.0, (self.done + self.ticks) / self.runs)
+
+
+#: Told now and then how far the experiment is.
+Tell = Callable[[Progress], None]
+
+
+class Controls:
+    """What a user can do to an experiment from another thread: let it pause, go on, and stop."""
+
+    def __init__(self) -> None:
+        self._going = Event()
+        self._going.set()
+        self._cancelled = Event()
+
+    def pause(self) -> None:
+        """Let all worlds stand still."""
+        self._going.clear()
+
+    def resume(self) -> None:
+        """Go on."""
+        self._going.set()
+
+    def cancel(self) -> None:
+        """Give up the runs that are being made; finished ones are kept."""
+        self._cancelled.set()
+        self._going.set()
+
+    @property
+    def cancelled(self) -> bool:
+        """Whether the experiment is to stop."""
+        return self._cancelled.is_set()
+
+    def heed(self) -> bool:
+        """Wait while paused; false if the run is to be given up."""
+        self._going.wait()
+        return not self.cancelled
+
+
+@dataclass(slots=True)
+class _Underway:
+    """A run that is being made, seen from the thread that waits for it."""
+
+    cell: Cell
+    run: int
+    share: float = 0.0
+
+
+def carry_out(
+    project: Project,
+    scenario: Scenario,
+    experiment: Experiment,
+    results: Results,
+    jobs: int,
+    tell: Tell = lambda _: None,
+    controls: Controls | None = None,
+) -> bool:
+    """Make all runs that are missing in *results*; false if that was cancelled before the end.
+
+    Args:
+        jobs: Runs at a time.
+
+    Raises:
+        UnderstudyError: A run could not be made, or not be kept. Whatever ends it, finished runs are kept.
+    """
+    crew = _Crew(project, scenario, experiment, results, controls or Controls())
+    with ThreadPoolExecutor(jobs, thread_name_prefix="run") as pool:
+        try:
+            crew.work(pool, jobs, tell)
+        except BaseException:  # Ctrl-C above all: the threads have to end before the program can
+            crew.controls.cancel()
+            raise
+    return not crew.controls.cancelled
+
+
+class _Crew:
+    """The runs of an experiment while they are made."""
+
+    def __init__(
+        self,
+        project: Project,
+        scenario: Scenario,
+        experiment: Experiment,
+        results: Results,
+        controls: Controls,
+    ) -> None:
+        self.controls = controls
+        self._experiment = experiment
+        self._results = results
+        self._treatments = Treatments(project, scenario, experiment)
+        self._cells = experiment.cells()
+        self._found = results.count(len(self._cells), experiment.runs)
+        self._done = self._found
+        self._began = time.perf_counter()
+        self._underway: dict[Future[Row | None], _Underway] = {}
+
+    def work(self, pool: ThreadPoolExecutor, jobs: int, tell: Tell) -> None:
+        """Keep *jobs* runs going until all are made, or the user has had enough."""
+        missing = self._missing()
+        while not self.controls.cancelled:
+            for _, (cell, run) in zip(range(jobs - len(self._underway)), missing, strict=False):
+                underway = _Underway(cell, run)
+                self._underway[pool.submit(self._make, underway)] = underway
+            if not self._underway:
+                break
+            done, _ = wait(self._underway, GLANCE, FIRST_COMPLETED)
+            for future in done:
+                del self._underway[future]
+                self._keep(future.result())
+            tell(self._progress())
+        self._keep_rest()
+
+    def _missing(self) -> Iterator[tuple[Cell, int]]:
+        """Runs to be made, a round of all cells at a time."""
+        for run in range(self._experiment.runs):
+            for cell in self._cells:
+                if not self._results.has(cell.number, run):
+                    yield cell, run
+
+    def _keep(self, row: Row | None) -> None:
+        if row is not None:
+            self._results.add(row)
+            self._done += 1
+
+    def _keep_rest(self) -> None:
+        """After a cancel: what is finished in the same moment is kept as well."""
+        for future in self._underway:
+            self._keep(future.result())
+
+    def _progress(self) -> Progress:
+        ticks = sum(underway.share for underway in self._underway.values())
+        total = len(self._cells) * self._experiment.runs
+        made = self._done - self._found + ticks
+        passed = time.perf_counter() - self._began
+        left = passed / made * (total - self._done - ticks) if made > 0.0 else None
+        return Progress(total, self._done, self._found, ticks, left)
+
+    def _make(self, underway: _Underway) -> Row | None:
+        """Make one run; None if it was given up. This runs in a thread of its own."""
+        cell, run = underway.cell, underway.run
+        ready = self._treatments.of(cell, run)
+        seed = self._experiment.seed_of(cell.number, run)
+        began = time.perf_counter()
+        engine = _started(ready.treatment, seed)
+        curves = self._curves(engine, underway)
+        if curves is None:
+            return None
+        seconds = time.perf_counter() - began
+        return _row(underway, ready, engine, curves, seed, seconds)
+
+    def _curves(self, engine: Engine, underway: _Underway) -> list[list[float]] | None:
+        """Pass all ticks, measuring now and then; None if the run was given up."""
+        ticks = self._experiment.ticks
+        samples = [list(engine.measures().values())]
+        for goal in slices(ticks, self._experiment.points):
+            while engine.tick < goal:
+                if not self.controls.heed():
+                    return None
+                engine.step(min(goal - engine.tick, LONGEST_SLICE))
+                underway.share = engine.tick / ticks
+            samples.append(list(engine.measures().values()))
+        return samples
+
+
+def _started(of: Treatment, seed: int) -> Engine:
+    types = of.project.types_with(of.scenario.vocabulary)
+    start = Start(
+        of.scenario, of.parameters, of.arm.forest(), types, seed, top=of.arm.top, physics=of.physics
+    )
+    return make_engine(start, None, of.classifiers)
+
+
+def _row(
+    underway: _Underway, ready: Ready, engine: Engine, curves: list[list[float]], seed: int, seconds: float
+) -> Row:
+    stalled = engine.progressed < (1.0 - STALLED_PART) * engine.tick
+    agents = len(ready.treatment.arm.forest().agents())
+    measures = {**engine.measures(), **ready.counts}
+    return Row(
+        underway.cell.number,
+        underway.run,
+        seed,
+        measures,
+        stalled,
+        np.array(curves, np.float64).T,
+        agents * engine.tick,
+        seconds,
+    )
