@@ -1,17 +1,21 @@
 """Features added after demonstrating: their values are read from the moments that the examples were recorded in."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..core.actor import Actor, Run
 from ..core.automaton import Automaton
 from ..core.edits.examples import set_values
 from ..core.errors import UnderstudyError
 from ..core.examples import Example, Moment
+from ..core.features import FlagUp, TicksInState
+from ..core.hierarchy import Hierarchy
 from ..core.project import Project
 from ..sim.engine import Start
 from ..sim.reference import ReferenceEngine
 from ..sim.scenario import Scenario
+from .moments import FOREST, forest_hash
+from .plan import some
 from .recording import Values, on_entry, seen
 
 
@@ -21,7 +25,7 @@ class Filled:
 
     Attributes:
         project: With the values that could be read.
-        missed: Example id -> why its moment does not tell.
+        missed: Example id -> why its moment does not tell all that the example lacks.
     """
 
     project: Project
@@ -29,20 +33,21 @@ class Filled:
 
 
 def fill_values(project: Project, scenario: Scenario, type_name: str, automaton_id: str) -> Filled:
-    """Give every example the values of the automaton's features that it lacks."""
+    """Give every example the values of the automaton's features that it lacks, as far as its moment tells them."""
     automaton = project.library(type_name).get(automaton_id)
-    wanted = [use.id for use in automaton.features]
+    moments = _Moments(project, scenario)
     found: dict[str, Values] = {}
     missed: dict[str, str] = {}
     for example in project.examples_of(type_name, automaton_id):
-        lacking = [feature_id for feature_id in wanted if feature_id not in example.values]
-        if lacking:
-            try:
-                values = read_values(project, scenario, automaton, example)
-            except UnderstudyError as error:
-                missed[example.id] = str(error)
-            else:
-                found[example.id] = {feature_id: values[feature_id] for feature_id in lacking}
+        values: dict[str, float] = {}
+        for use in automaton.features:
+            if use.id not in example.values:
+                try:
+                    values |= moments.values(replace(automaton, features=(use,)), example)
+                except UnderstudyError as error:
+                    missed[example.id] = str(error)
+        if values:
+            found[example.id] = values
     return Filled(set_values(project, type_name, automaton_id, found) if found else project, missed)
 
 
@@ -52,35 +57,76 @@ def read_values(project: Project, scenario: Scenario, automaton: Automaton, exam
     Raises:
         UnderstudyError: The moment is not stored, or no longer fits the project.
     """
-    moment = project.moments.get(example.snapshot)
-    if moment is None:
-        raise UnderstudyError(f"example {example.id}: the moment it was recorded in is not stored")
-    engine = engine_at(project, scenario, moment)
-    actor = engine.machine.actors.get(example.node)
-    run = _run_of(actor, automaton)
-    if actor is None or run is None:
+    return _Moments(project, scenario).values(automaton, example)
+
+
+class _Moments:
+    """Worlds as they were; the last one is kept, since the examples of a pick share theirs."""
+
+    def __init__(self, project: Project, scenario: Scenario) -> None:
+        self._project = project
+        self._scenario = scenario
+        self._kept: tuple[str, ReferenceEngine] | None = None
+
+    def values(self, automaton: Automaton, example: Example) -> Values:
+        """The automaton's features as they were when *example* was recorded."""
+        engine = self._engine(example)
+        actor = engine.machine.actors.get(example.node)
+        run = _run_of(actor, automaton)
+        if actor is None or run is None:
+            raise UnderstudyError(
+                f"example {example.id}: {example.node!r} does not run {automaton.name!r} in its moment"
+            )
+        if not example.continuation:
+            _refuse_lost_place(automaton, example, run)
+            return seen(engine.machine, engine.senses, actor, run, automaton)
+        if not automaton.has_state(example.label):
+            raise UnderstudyError(f"example {example.id}: its state {example.label!r} is gone")
+        values = seen(engine.machine, engine.senses, actor, run, automaton)
+        return on_entry(engine.machine, actor, automaton, automaton.state(example.label), values)
+
+    def _engine(self, example: Example) -> ReferenceEngine:
+        if self._kept is None or self._kept[0] != example.snapshot:
+            moment = self._project.moments.get(example.snapshot)
+            if moment is None:
+                raise UnderstudyError(f"example {example.id}: the moment it was recorded in is not stored")
+            self._kept = example.snapshot, engine_at(self._project, self._scenario, moment)
+        return self._kept[1]
+
+
+def _refuse_lost_place(automaton: Automaton, example: Example, run: Run) -> None:
+    """Flags and ticks in a state that is gone, or holds something else now, cannot be told any more."""
+    untold = [use.shown for use in automaton.features if isinstance(use.source, FlagUp | TicksInState)]
+    if run.state != example.source and untold:
         raise UnderstudyError(
-            f"example {example.id}: {example.node!r} does not run {automaton.name!r} in its moment"
+            f"example {example.id}: the state {example.source!r} is gone or holds something else now, so its moment does "
+            f"not tell: {some(untold)}"
         )
-    values = seen(engine.machine, engine.senses, actor, run, automaton)
-    if not example.continuation:
-        return values
-    return on_entry(engine.machine, actor, automaton, automaton.state(example.label), values)
 
 
 def engine_at(project: Project, scenario: Scenario, moment: Moment) -> ReferenceEngine:
     """A world as it was in *moment*, with every node doing what it did.
 
     Raises:
-        UnderstudyError: The moment is of another scenario or arm, or no longer fits it.
+        UnderstudyError: The moment is of another scenario or forest, or no longer fits it.
     """
     if moment.scenario != scenario.name:
         raise UnderstudyError(f"the moment is of scenario {moment.scenario!r}, not {scenario.name!r}")
-    forest = project.arm(moment.arm).forest()
     types = project.types_with(scenario.vocabulary)
-    engine = ReferenceEngine(Start(scenario, scenario.settle(moment.parameters), forest, types, seed=0))
+    settled = scenario.settle(moment.parameters)
+    engine = ReferenceEngine(Start(scenario, settled, _forest(project, moment), types, seed=0))
     engine.restore(moment.world, moment.machine)
     return engine
+
+
+def _forest(project: Project, moment: Moment) -> Hierarchy:
+    """The forest that the moment was taken of: its arm's, or that of an arm with the very same one."""
+    wanted = moment.machine.get(FOREST)
+    for arm in sorted(project.arms, key=lambda arm: arm.name != moment.arm):
+        forest = arm.forest()
+        if forest_hash(forest) == wanted:
+            return forest
+    raise UnderstudyError(f"the moment is of arm {moment.arm!r}, whose nodes are others now")
 
 
 def _run_of(actor: Actor | None, automaton: Automaton) -> Run | None:

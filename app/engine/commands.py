@@ -17,9 +17,17 @@ class Others(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class UseProject:
-    """Go on with a newer value of the project; running nodes keep their places in it as far as they still exist."""
+    """Go on with a newer value of the project; running nodes keep their places in it as far as they still exist.
+
+    The world keeps the forest and the parameters that it began with; `Reset` takes over changes of the arm.
+
+    Attributes:
+        applied: How many of the session's edits (`app.engine.snapshots.Edit`) it contains, counted from the session's
+            beginning; later ones, which were on their way to the caller, are applied to it. None: all there are.
+    """
 
     project: Project
+    applied: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +44,11 @@ class UseArm:
 
 @dataclass(frozen=True, slots=True)
 class Reset:
-    """Begin the world again; None keeps the seed."""
+    """Begin the world again, with the arm as it is now in the project; a lesson or test goes on in it from Start.
+
+    Attributes:
+        seed: None keeps the seed.
+    """
 
     seed: int | None = None
 

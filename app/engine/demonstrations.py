@@ -1,38 +1,49 @@
 """Playing stored demonstrations through the teaching session: the same hand, the same examples, byte for byte."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
 from itertools import groupby
 
 from ..core.edits.examples import replace_examples
-from ..core.errors import SessionError
+from ..core.edits.learned import set_learned
+from ..core.edits.moments import with_moments, without_stray_moments
+from ..core.edits.place import with_examples
+from ..core.errors import SessionError, UnderstudyError
 from ..core.project import Demonstration, Pick, Project
+from ..learner.builder import LearningCancelled
 from ..learner.trainer import apply, learn
+from ..sim.engines import REFERENCE
 from ..sim.scenario import Scenario
-from .commands import Command, Others, ShouldNotHaveLeft, Teach, Test, UndoPick, UseArm
+from .commands import Command, Others, ShouldNotHaveLeft, Teach, Test, UndoPick
 from .commands import Pick as PickCommand
 from .session import Session
 from .snapshots import Refused
 
 #: Told which part of the whole is done, and what comes next.
 Progress = Callable[[float, str], None]
+Cancelled = Callable[[], bool]
+#: Type name and automaton id.
+Where = tuple[str, str]
+
+#: How many ticks pass between two questions whether to go on.
+SLICE = 200
 
 
-def play(project: Project, scenario: Scenario, demonstration: Demonstration) -> Project:
+def play(
+    project: Project,
+    scenario: Scenario,
+    demonstration: Demonstration,
+    passed: Callable[[int], None] | None = None,
+) -> Project:
     """The project with the examples that *demonstration* records.
+
+    Args:
+        passed: Told now and then how many ticks have passed; it may raise to end the play.
 
     Raises:
         SessionError: An act of the demonstration cannot be carried out; the message names it.
     """
-    session = Session(project, scenario, demonstration.arm, demonstration.seed)
-    settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
-    _send(session, UseArm(demonstration.arm, settings), demonstration)
-    for tick, command in commands(demonstration):
-        _until(session, tick, demonstration)
-        _send(session, command, demonstration)
-        session.settle()
-    _until(session, demonstration.ticks, demonstration)
-    session.close()
-    return session.project
+    return _Play(project, scenario, demonstration, passed or (lambda _: None)).project()
 
 
 def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
@@ -42,7 +53,7 @@ def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
     with all nodes that it picks for.
 
     Raises:
-        SessionError: There is no such act.
+        SessionError: There is no such act, or the acts are not in order.
     """
     acts = list(demonstration.picks)
     if not any(act.act == "teach" for act in acts):
@@ -53,11 +64,16 @@ def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
         if kind == "teach":
             found.append((tick, _teach(demonstration, tuple(act.node for act in group))))
         else:
-            found += [(tick, _command(act)) for act in group]
+            found += [(tick, _command(act, demonstration)) for act in group]
     return found
 
 
 def _teach(demonstration: Demonstration, nodes: tuple[str, ...]) -> Teach:
+    if demonstration.others not in list(Others):
+        allowed = ", ".join(Others)
+        raise SessionError(
+            f"demonstration {demonstration.id!r}: others cannot be {demonstration.others!r}; allowed: {allowed}"
+        )
     return Teach(
         demonstration.type,
         demonstration.automaton,
@@ -68,7 +84,7 @@ def _teach(demonstration: Demonstration, nodes: tuple[str, ...]) -> Teach:
     )
 
 
-def _command(act: Pick) -> Command:
+def _command(act: Pick, demonstration: Demonstration) -> Command:
     match act.act:
         case "pick":
             return PickCommand(act.node, act.state)
@@ -78,54 +94,180 @@ def _command(act: Pick) -> Command:
             return UndoPick()
         case "test":
             return Test()
-    raise SessionError(f"{act.act!r} is no act; allowed: pick, should not have left, undo, test, teach")
+    raise SessionError(
+        f"demonstration {demonstration.id!r}, tick {act.tick}: {act.act!r} is no act; allowed: pick, should not have left, "
+        "undo, test, teach"
+    )
+
+
+class _Play:
+    """One demonstration while it is played."""
+
+    def __init__(
+        self,
+        project: Project,
+        scenario: Scenario,
+        demonstration: Demonstration,
+        passed: Callable[[int], None],
+    ) -> None:
+        self._demonstration = demonstration
+        self._passed = passed
+        settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
+        with self._blaming():
+            self._session = Session(
+                project,
+                scenario,
+                demonstration.arm,
+                demonstration.seed,
+                settings={
+                    **settings,
+                    "engine": REFERENCE,
+                },  # which steps lessons anyway: nothing to compile first
+            )
+
+    def project(self) -> Project:
+        """The project with what the demonstration recorded."""
+        for tick, command in commands(self._demonstration):
+            self._until(tick)
+            self._send(command)
+        self._until(self._demonstration.ticks)
+        self._session.close()
+        return self._session.project
+
+    def _send(self, command: Command) -> None:
+        self._session.send(command)
+        self._session.settle()
+        self._refuse_refused()
+
+    def _until(self, tick: int) -> None:
+        """Let time pass up to *tick*."""
+        if tick < self._session.tick:
+            raise SessionError(f"{self._name}: tick {tick} comes after tick {self._session.tick}")
+        while self._session.tick < tick:
+            self._session.pass_ticks(min(SLICE, tick - self._session.tick))
+            self._refuse_refused()
+            self._passed(self._session.tick)
+
+    def _refuse_refused(self) -> None:
+        for event in self._session.events():
+            if isinstance(event, Refused):
+                raise SessionError(f"{self._name}, tick {self._session.tick}: {event.message}")
+
+    @property
+    def _name(self) -> str:
+        return f"demonstration {self._demonstration.id!r}"
+
+    @contextmanager
+    def _blaming(self) -> Iterator[None]:
+        try:
+            yield
+        except UnderstudyError as error:
+            raise SessionError(f"{self._name}: {error}") from error
+
+
+# ------------------------------------------------------------------------------------------- all of them
 
 
 def recreate(
     project: Project,
     scenario: Scenario,
-    only: Collection[tuple[str, str]] | None = None,
+    only: Collection[Where] | None = None,
     progress: Progress | None = None,
-    cancelled: Callable[[], bool] | None = None,
+    cancelled: Cancelled | None = None,
 ) -> Project:
     """Record all examples anew by playing the demonstrations in their order, learning each behavior on the way.
 
-    What an automaton was taught by other means than a stored demonstration is dropped with its old examples.
+    A demonstration finds every behavior as it was learned from the demonstrations before it, and only from them, so that
+    the result depends on the lists alone. What an automaton was taught by other means than a stored demonstration is
+    dropped with its old examples.
 
     Args:
-        only: (type, automaton id) pairs to record anew; all that have demonstrations if None.
+        only: (type, automaton id) pairs to record anew; all that have demonstrations if None. The stored examples of the
+            others stand for their demonstrations.
+
+    Raises:
+        SessionError: An act cannot be carried out, or *cancelled* returned true.
     """
-    chosen = [d for d in project.demonstrations if only is None or (d.type, d.automaton) in only]
-    for type_name, automaton_id in dict.fromkeys((d.type, d.automaton) for d in chosen):
-        project = replace_examples(project, type_name, automaton_id, (), {})
-    for done, demonstration in enumerate(chosen):
-        if cancelled is not None and cancelled():
-            raise SessionError("cancelled; nothing was changed")
-        if progress is not None:
-            progress(done / len(chosen), f"playing {demonstration.id}")
-        project = play(project, scenario, demonstration)
-        wanted = [(demonstration.type, demonstration.automaton)]
-        project = apply(project, learn(project, scenario.vocabulary, wanted))
-    if progress is not None:
-        progress(1.0, "done")
+    every = [(where_of(d), d) for d in project.demonstrations]
+    chosen = {where: None for where, _ in every if only is None or where in only}
+    needed = every[: 1 + max((n for n, (where, _) in enumerate(every) if where in chosen), default=-1)]
+    tell = _Teller(sum(d.ticks for where, d in needed if where in chosen), progress, cancelled)
+    stage = _untaught(project, {where for where, _ in every})
+    for number, (where, demonstration) in enumerate(needed):
+        if where in chosen:
+            stage = play(stage, scenario, demonstration, tell.begin(demonstration))
+            stage = _learned(stage, scenario, where, tell)
+        elif where in [later for later, _ in every[number + 1 :]]:
+            stored = [e for e in project.examples_of(*where) if e.demonstration == demonstration.id]
+            stage = with_examples(stage, *where, (*stage.examples_of(*where), *stored))
+            stage = _learned(stage, scenario, where, tell)
+        else:
+            stage = _copied(project, stage, where)
+    tell.end()
+    for where in chosen:
+        project = _copied(stage, project, where)
     return project
 
 
-def _send(session: Session, command: Command, demonstration: Demonstration) -> None:
-    session.send(command)
-    for event in session.events():
-        if isinstance(event, Refused):
-            tick = session.snapshot().tick
-            raise SessionError(f"demonstration {demonstration.id!r}, tick {tick}: {event.message}")
+def where_of(demonstration: Demonstration) -> Where:
+    """What a demonstration teaches."""
+    return demonstration.type, demonstration.automaton
 
 
-def _until(session: Session, tick: int, demonstration: Demonstration) -> None:
-    """Let time pass up to *tick*."""
-    missing = tick - session.tick
-    if missing < 0:
-        raise SessionError(f"demonstration {demonstration.id!r}: tick {tick} comes after tick {session.tick}")
-    if missing:
-        session.advance(missing)
-    for event in session.events():
-        if isinstance(event, Refused):
-            raise SessionError(f"demonstration {demonstration.id!r}, tick {session.tick}: {event.message}")
+def _untaught(project: Project, taught: Collection[Where]) -> Project:
+    """*project* as it was before these automata were taught."""
+    for where in taught:
+        project = replace_examples(project, *where, (), {})
+        project = set_learned(project, *where, {}, "")
+    return project
+
+
+def _learned(project: Project, scenario: Scenario, where: Where, tell: "_Teller") -> Project:
+    if not project.examples_of(*where):
+        return project
+    try:
+        return apply(project, learn(project, scenario.vocabulary, [where], cancelled=tell.cancelled))
+    except LearningCancelled:
+        raise _cancelled() from None
+
+
+def _copied(source: Project, into: Project, where: Where) -> Project:
+    """*into* with the examples and models that an automaton has in *source*."""
+    automaton, examples = source.library(where[0]).get(where[1]), source.examples_of(*where)
+    into = set_learned(into, *where, automaton.learned, automaton.learned_from)
+    moments = {e.snapshot: source.moments[e.snapshot] for e in examples if e.snapshot in source.moments}
+    return without_stray_moments(with_moments(with_examples(into, *where, examples), moments))
+
+
+class _Teller:
+    """Tells how far the whole is, and asks whether to go on."""
+
+    def __init__(self, ticks: int, progress: Progress | None, cancelled: Cancelled | None) -> None:
+        self._ticks = max(1, ticks)
+        self._progress = progress
+        self.cancelled = cancelled or (lambda: False)
+        self._done = 0
+
+    def begin(self, demonstration: Demonstration) -> Callable[[int], None]:
+        """A demonstration begins; it is to call what this returns with the ticks that have passed in it."""
+        before, self._done = self._done, self._done + demonstration.ticks
+
+        def passed(ticks: int) -> None:
+            if self.cancelled():
+                raise _cancelled()
+            self._tell((before + ticks) / self._ticks, f"playing {demonstration.id}")
+
+        passed(0)
+        return passed
+
+    def end(self) -> None:
+        """All have been played."""
+        self._tell(1.0, "done")
+
+    def _tell(self, share: float, what: str) -> None:
+        if self._progress is not None:
+            self._progress(min(1.0, share), what)
+
+
+def _cancelled() -> SessionError:
+    return SessionError("cancelled; nothing was changed")

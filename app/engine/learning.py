@@ -9,6 +9,7 @@ from typing import Protocol
 from ..core.errors import UnderstudyError
 from ..core.project import Project
 from ..core.vocabulary import Vocabulary
+from ..learner.builder import LearningCancelled
 from ..learner.trainer import Learned, learn
 
 
@@ -56,6 +57,8 @@ def answer(question: Question, cancelled: Callable[[], bool] = lambda: False) ->
         return Answer(question, learn(question.project, question.vocabulary, wanted, cancelled=cancelled))
     except UnderstudyError as error:
         return Answer(question, problem=str(error))
+    except LearningCancelled:
+        return Answer(question, problem="learning was cancelled")
 
 
 class InlineLearner:
@@ -88,7 +91,7 @@ class WorkerLearner:
         """
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="learner")
         self._ready = ready
-        self._open: tuple[Future[Answer], Event] | None = None
+        self._open: tuple[Question, Future[Answer], Event] | None = None
 
     def ask(self, question: Question) -> None:
         """Begin to learn; an earlier question that is still open is given up."""
@@ -96,14 +99,17 @@ class WorkerLearner:
         stop = Event()
         future = self._pool.submit(answer, question, stop.is_set)
         future.add_done_callback(lambda _: self._ready())
-        self._open = future, stop
+        self._open = question, future, stop
 
     def answers(self) -> list[Answer]:
-        """The answer to the last question, once it has come."""
-        if self._open is None or not self._open[0].done():
+        """The answer to the last question, once it has come; a learner that breaks down answers so as well."""
+        if self._open is None or not self._open[1].done():
             return []
-        future, self._open = self._open[0], None
-        return [] if future.cancelled() else [future.result()]
+        (question, future, _), self._open = self._open, None
+        error = future.exception()
+        if error is not None:
+            return [Answer(question, problem=f"learning failed: {type(error).__name__}: {error}")]
+        return [future.result()]
 
     def close(self) -> None:
         """Give up what is open and wait for the thread to end."""
@@ -112,7 +118,7 @@ class WorkerLearner:
 
     def _give_up(self) -> None:
         if self._open is not None:
-            future, stop = self._open
+            _, future, stop = self._open
             stop.set()
             future.cancel()
             self._open = None

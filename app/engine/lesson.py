@@ -3,53 +3,29 @@
 A lesson changes only what the nodes do. What a pick teaches reaches the caller as a `Recorded` value, an edit.
 """
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from ..core.actor import Actor, Argument, Run
-from ..core.automaton import Automaton, Content, State
+from ..core.automaton import Basic, Content, Nested, State
+from ..core.binding import bind
 from ..core.edits.examples import Recorded, next_pick
+from ..core.edits.picking import state_for
 from ..core.errors import SessionError
 from ..core.examples import Example, Moment
 from ..core.hierarchy import Node
-from ..core.machine import Machine
-from ..core.machine_state import MachineState, freeze, thaw_node
+from ..core.machine_state import MachineState, freeze
 from ..core.naming import next_number
 from ..core.project import Project
 from ..core.storage.moments import moment_hash
 from ..sim.engine import Control, Engine
-from .commands import Others, Teach
-from .recording import Triple, Values, on_entry, seen, state_for, triples
+from .acts import Act, part_of, past, put_back
+from .commands import Teach
+from .departures import Departure, Departures
+from .moments import take
+from .plan import automaton_of, check_plan, is_taught_one, some, still_nodes
+from .recording import Triple, on_entry, seen, triples
 from .runs import Treatment
-
-
-@dataclass(frozen=True, slots=True)
-class Departure:
-    """A node left a state by itself: what it saw, and the moment."""
-
-    state: str
-    values: Values
-    tick: int
-    moment: Moment
-
-
-@dataclass(frozen=True, slots=True)
-class Act:
-    """A pick with what it takes to undo it.
-
-    Attributes:
-        goal: The state that the node enters in the next tick.
-        before: What the nodes did before.
-        was_taught: The node was in training mode before.
-        done: The tick that carries it out has passed.
-    """
-
-    node: str
-    recorded: Recorded
-    goal: str
-    before: MachineState
-    was_taught: bool
-    done: bool = False
 
 
 class Lesson:
@@ -59,39 +35,57 @@ class Lesson:
         plan: What is taught to whom.
         testing: Whether what was learned is being tested.
         taught: Nodes that are in training mode now.
+        treatment: Where it takes place.
     """
 
-    def __init__(self, engine: Engine, treatment: Treatment, plan: Teach) -> None:
+    def __init__(
+        self, engine: Engine, treatment: Treatment, plan: Teach, earlier: Sequence[Act] = ()
+    ) -> None:
         """Put the nodes of *plan* into training mode, in Start.
+
+        Args:
+            earlier: Acts of the same lesson before its world began again; they can be undone.
 
         Raises:
             SessionError: A node does not exist or is of another type, or a parameter of the automaton is open.
+            LibraryError: There is no such automaton.
         """
         self.plan = plan
         self.testing = False
         self.taught = frozenset(plan.nodes)
+        self.treatment = treatment
         self._engine = engine
-        self._treatment = treatment
         self._forest = treatment.arm.forest()
-        self._acts: list[Act] = []
-        self._departures: dict[str, Departure] = {}
+        self._acts = past(earlier)
         check_plan(engine.machine, plan)
-        for node_id in plan.nodes:
-            self._begin(node_id)
+        self._begin(node for node in self._forest.walk() if node.id in self.taught)
 
     def test(self) -> None:
-        """Let all nodes of the type run what was learned, from Start."""
+        """Let all nodes of the type run what was learned, from Start.
+
+        Raises:
+            SessionError, LibraryError: The plan cannot be carried out any more, see `check_plan`.
+        """
+        check_plan(self._engine.machine, self.plan)
         self.testing = True
         self.taught = frozenset()
-        self._acts = [act for act in self._acts if act.done]
-        self._departures.clear()
-        for node in self._pupils():
-            self._begin(node.id)
+        self._acts = past(self._acts)
+        self._begin(node for node in self._forest.walk() if node.type == self.plan.type)
 
-    def _begin(self, node_id: str) -> None:
-        arguments = {slot: Argument(target, node_id) for slot, target in self.plan.arguments.items()}
-        automaton = automaton_of(self._engine.machine, self.plan)
-        self._engine.machine.direct(node_id, automaton.name, arguments)
+    def _begin(self, pupils: Iterable[Node]) -> None:
+        self._pupils = {node.id: node for node in pupils}
+        machine = self._engine.machine
+        self._departures = Departures(self._moment, len(machine.actors))
+        self._still = still_nodes(self._forest, self._pupils.values(), self.plan.others)
+        name = automaton_of(machine, self.plan).name
+        for node_id in self._pupils:
+            arguments = {slot: Argument(target, node_id) for slot, target in self.plan.arguments.items()}
+            machine.direct(node_id, name, arguments)
+
+    @property
+    def acts(self) -> Sequence[Act]:
+        """What can be undone, the oldest first."""
+        return self._acts
 
     # ------------------------------------------------------------------------------------------- control
 
@@ -99,82 +93,106 @@ class Lesson:
     def control(self) -> Control:
         """Who decides in the coming tick."""
         picks = {act.node: act.goal for act in self._acts if not act.done}
-        return Control(picks, self.taught, self._still())
+        return Control(picks, self.taught, self._still, listen=self.testing)
 
     def ticked(self) -> None:
         """A tick has passed, and with it the picks were carried out."""
         self._acts = [act if act.done else replace(act, done=True) for act in self._acts]
 
-    def _pupils(self) -> list[Node]:
-        """The nodes that the lesson is about: those taught; in a test, all of the type."""
-        return [
-            n
-            for n in self._forest.walk()
-            if n.id in self.taught or (self.testing and n.type == self.plan.type)
-        ]
+    def leaving(self, actor: Actor, _next: str) -> None:
+        """Remember that a node of the lesson is about to leave its state by itself."""
+        run = actor.run
+        if run is None or not self.testing or actor.node.id not in self._pupils:
+            return
+        if is_taught_one(run, self.plan):
+            engine = self._engine
+            values = seen(engine.machine, engine.senses, actor, run, automaton_of(engine.machine, self.plan))
+            self._departures.note(actor.node.id, Departure(run.state, values, engine.tick))
 
-    def _still(self) -> frozenset[str]:
-        """Ancestors of the pupils do not tick; nor do nodes beside them, unless the others are to run."""
-        pupils = self._pupils()
-        if self.plan.others is Others.RUN:
-            return _ancestors(self._forest.parents(), pupils)
-        at_work = {node.id for pupil in pupils for node in pupil.walk()}
-        return frozenset(node.id for node in self._forest.walk()) - at_work
+    def project_changed(self) -> None:
+        """Go on after an edit of the project; picks of states that are gone will not be carried out.
+
+        Raises:
+            SessionError, LibraryError: The lesson cannot go on, see `check_plan`.
+        """
+        machine = self._engine.machine
+        check_plan(machine, self.plan)
+        automaton = automaton_of(machine, self.plan)
+        self._acts = [act if automaton.has_state(act.goal) else replace(act, done=True) for act in self._acts]
 
     # -------------------------------------------------------------------------------------------- picking
 
-    def check_pick(self, project: Project, node_id: str, choice: str | Content) -> None:
-        """Refuse what cannot be picked.
+    def waiting(self, node_id: str) -> list[Act]:
+        """Picks for a node that no tick has carried out yet: a second click replaces them."""
+        return [act for act in self._acts if act.node == node_id and not act.done]
+
+    def pick(self, project: Project, node_id: str, choice: str | Content) -> Act:
+        """What it means that the user picks for a node; in a test, the node is taught again. Nothing changes yet.
+
+        Args:
+            project: As it is without what this pick replaces.
 
         Raises:
             SessionError: The node is not part of the lesson.
-            EditError: The choice is not possible in the automaton.
-        """
-        self._running(node_id)
-        state_for(project, self.plan.type, self.plan.automaton, choice)
-
-    def retract(self, node_id: str) -> list[Act]:
-        """Take back a pick of this node that no tick has carried out yet: a second click replaces the first."""
-        waiting = [act for act in self._acts if act.node == node_id and not act.done]
-        self._acts = [act for act in self._acts if act.node != node_id or act.done]
-        return waiting
-
-    def pick(self, project: Project, node_id: str, choice: str | Content) -> Recorded:
-        """Record what the user picks for a node; it takes effect in the next tick. In a test, the node is taught again.
-
-        Raises:
-            SessionError, EditError: As in `check_pick`.
+            EditError, BindingError: The choice is not possible in the automaton, or needs a target that is open.
         """
         actor, run = self._running(node_id)
-        machine, senses = self._engine.machine, self._engine.senses
-        state, added = state_for(project, self.plan.type, self.plan.automaton, choice)
-        automaton = project.library(self.plan.type).get(self.plan.automaton)
-        values = seen(machine, senses, actor, run, automaton)
+        machine, plan = self._engine.machine, self.plan
+        state, added = state_for(
+            project,
+            self.treatment.scenario.vocabulary,
+            plan.type,
+            plan.automaton,
+            self._wanted(node_id, choice),
+        )
+        self._refuse_open(actor, run, state)
+        automaton = automaton_of(machine, plan)
+        values = seen(machine, self._engine.senses, actor, run, automaton)
         entered = on_entry(machine, actor, automaton, state, values)
-        taught = triples(automaton, machine.types.vocabulary(self.plan.type), run, state, values, entered)
-        recorded = self._filed(project, node_id, taught, added, self.moment(), self._engine.tick)
-        self._act(node_id, recorded, state.id)
-        return recorded
+        taught = triples(automaton, machine.types.vocabulary(plan.type), run, state, values, entered)
+        moment = self._moment()
+        recorded = self._filed(project, node_id, taught, added, moment, self._engine.tick)
+        return self._act(node_id, recorded, state.id, moment.machine)
 
-    def should_not_have_left(self, project: Project, node_id: str) -> Recorded:
-        """Record <A, f, A> for the state A that a node left by itself last, and take it back there.
+    def should_not_have_left(self, project: Project, node_id: str) -> Act:
+        """What it means that a node should have stayed in the state A that it left by itself last: <A, f, A>, back to A.
+
+        Args:
+            project: As it is without what this act replaces.
 
         Raises:
-            SessionError: It left none since the test began.
+            SessionError: It left none since the test began, or that state is gone.
         """
         self._running(node_id)
-        left = self._departures.pop(node_id, None)
+        left = self._departures.last(node_id)
         if left is None:
             raise SessionError(
-                f"{node_id!r} has not left a state by itself since the test began: nothing to mend"
+                f"{node_id!r} has left no state by itself since the test began: nothing to mend"
+            )
+        automaton = automaton_of(self._engine.machine, self.plan)
+        if not automaton.has_state(left.state):
+            raise SessionError(
+                f"{node_id!r} left the state {left.state!r}, which is gone from {automaton.name!r}"
             )
         stays = [Triple(left.state, left.state, left.values)]
-        recorded = self._filed(project, node_id, stays, None, left.moment, left.tick)
-        self._act(node_id, recorded, left.state)
-        return recorded
+        recorded = self._filed(project, node_id, stays, None, self._departures.moment(left), left.tick)
+        act = self._act(node_id, recorded, left.state, freeze(self._engine.machine))
+        return replace(act, mended=left)
+
+    def add(self, act: Act) -> None:
+        """Let the next tick carry out an act, which replaces those waiting for the same node."""
+        replaced = self.waiting(act.node)
+        first = replaced[0] if replaced else act
+        self._acts = [a for a in self._acts if a not in replaced]
+        for old in replaced:
+            self._unmend(old)
+        self._acts.append(replace(act, was_taught=first.was_taught))
+        self.taught |= {act.node}
+        if act.mended is not None:
+            self._departures.mended(act.node)
 
     def undo(self) -> Act:
-        """Take back the last pick; the node does again what it did before.
+        """Take back the last act; the node does again what it did before.
 
         Raises:
             SessionError: There is none left in this lesson.
@@ -182,62 +200,61 @@ class Lesson:
         if not self._acts:
             raise SessionError("there is no pick left to take back in this lesson")
         act = self._acts.pop()
-        thaw_node(self._engine.machine, act.node, act.before)
-        if not act.was_taught:
+        self._unmend(act)
+        put_back(self._engine.machine, act)
+        if act.before is not None and not act.was_taught:
             self.taught -= {act.node}
         return act
 
-    def leaving(self, actor: Actor, _next: str) -> None:
-        """Remember that a node of the lesson is about to leave its state by itself."""
-        run = actor.run
-        if (
-            self.testing
-            and run is not None
-            and actor.node.type == self.plan.type
-            and _is_plan(run, self.plan)
-        ):
-            automaton = automaton_of(self._engine.machine, self.plan)
-            values = seen(self._engine.machine, self._engine.senses, actor, run, automaton)
-            self._departures[actor.node.id] = Departure(run.state, values, self._engine.tick, self.moment())
+    def _unmend(self, act: Act) -> None:
+        if act.mended is not None and act.before is not None:
+            self._departures.restore(act.node, act.mended)
 
-    def moment(self) -> Moment:
-        """The world and what all nodes do, now."""
-        of, engine = self._treatment, self._engine
-        return Moment(
-            of.scenario.name, of.parameters, of.arm.name, engine.frozen_world(), freeze(engine.machine)
-        )
+    def _wanted(self, node_id: str, choice: str | Content) -> str | Content:
+        """A state that only the replaced pick added is gone with it, so it is meant by what it holds."""
+        added = [act.recorded.state for act in self.waiting(node_id)]
+        return next((state.content for state in added if state and state.id == choice), choice)
+
+    def _refuse_open(self, actor: Actor, run: Run, state: State) -> None:
+        types, type_name = self._engine.machine.types, self.plan.type
+        match state.content:
+            case Basic(name, bindings):
+                bind(types.vocabulary(type_name).behavior(name).parameters, bindings, actor, run, state)
+            case Nested(automaton_id, bindings):
+                bind(types.library(type_name).get(automaton_id).parameters, bindings, actor, run, state)
 
     def _running(self, node_id: str) -> tuple[Actor, Run]:
-        pupils = {node.id for node in self._pupils()}
-        if node_id not in pupils:
-            raise SessionError(
-                f"{node_id!r} is not taught or tested now; pick for one of: {_some(sorted(pupils))}"
-            )
+        if node_id not in self._pupils:
+            there = some(list(self._pupils))
+            raise SessionError(f"{node_id!r} is not taught or tested now; pick for one of: {there}")
         actor = self._engine.machine.actors[node_id]
-        if actor.run is None or not _is_plan(actor.run, self.plan):
+        if actor.run is None or not is_taught_one(actor.run, self.plan):
             raise SessionError(
                 f"{node_id!r} does not run {self.plan.automaton!r} now; start teaching it again"
             )
         return actor, actor.run
 
-    def _act(self, node_id: str, recorded: Recorded, goal: str) -> None:
-        self._acts.append(Act(node_id, recorded, goal, freeze(self._engine.machine), node_id in self.taught))
-        self.taught |= {node_id}
+    def _act(self, node_id: str, recorded: Recorded, goal: str, machine: MachineState) -> Act:
+        before = part_of(machine, self._pupils[node_id])
+        return Act(node_id, recorded, goal, before, node_id in self.taught)
+
+    def _moment(self) -> Moment:
+        return take(self._engine, self.treatment)
 
     def _filed(
         self,
         project: Project,
         node_id: str,
-        taught: Iterable[Triple],
+        taught: Sequence[Triple],
         added: State | None,
-        moment: Moment,
+        moment: Moment | None,
         tick: int,
     ) -> Recorded:
         """The examples with their numbers, and the moment they refer to."""
         plan, known = self.plan, project.examples_of(self.plan.type, self.plan.automaton)
         number = next_number(example.id for example in known)
         pick = next_pick(project, plan.type, plan.automaton)
-        digest = moment_hash(moment)
+        moments = {moment_hash(moment): moment} if taught and moment is not None else {}
         examples = tuple(
             Example(
                 id=str(number + k),
@@ -248,64 +265,9 @@ class Lesson:
                 demonstration=plan.demonstration,
                 tick=tick,
                 node=node_id,
-                snapshot=digest,
+                snapshot=next(iter(moments), ""),
                 pick=pick,
             )
             for k, triple in enumerate(taught)
         )
-        return Recorded(plan.type, plan.automaton, examples, {digest: moment} if examples else {}, added)
-
-
-def check_plan(machine: Machine, plan: Teach) -> None:
-    """Refuse a plan that cannot be taught here.
-
-    Raises:
-        SessionError: A node does not exist or is of another type, or a parameter of the automaton is open.
-    """
-    if not plan.nodes:
-        raise SessionError("choose at least one agent or controller to teach")
-    for node_id in plan.nodes:
-        actor = machine.actors.get(node_id)
-        if actor is None:
-            raise SessionError(
-                f"there is no node {node_id!r} in this arm; there are: {_some(list(machine.actors))}"
-            )
-        if actor.node.type != plan.type:
-            raise SessionError(
-                f"{node_id!r} is of type {actor.node.type!r}, but {plan.type!r} is being taught"
-            )
-    _check_arguments(machine, plan)
-
-
-def _check_arguments(machine: Machine, plan: Teach) -> None:
-    targets = machine.types.vocabulary(plan.type).targets
-    for parameter in automaton_of(machine, plan).parameters:
-        given = plan.arguments.get(parameter)
-        if given not in targets:
-            what = "open" if given is None else f"{given!r}"
-            raise SessionError(
-                f"while teaching, {parameter!r} is {what}; choose one of: {_some(list(targets))}"
-            )
-
-
-def automaton_of(machine: Machine, plan: Teach) -> Automaton:
-    """The automaton that is taught."""
-    return machine.types.library(plan.type).get(plan.automaton)
-
-
-def _is_plan(run: Run, plan: Teach) -> bool:
-    return isinstance(run.behavior, Automaton) and run.behavior.id == plan.automaton
-
-
-def _ancestors(parents: Mapping[str, str], nodes: Iterable[Node]) -> frozenset[str]:
-    above: set[str] = set()
-    for node in nodes:
-        node_id = node.id
-        while node_id in parents:
-            node_id = parents[node_id]
-            above.add(node_id)
-    return frozenset(above)
-
-
-def _some(names: list[str], most: int = 8) -> str:
-    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+        return Recorded(plan.type, plan.automaton, examples, moments, added)

@@ -4,14 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..core.actor import Actor, Run
-from ..core.automaton import Automaton, Basic, Content, RaiseFlag, Start, State
-from ..core.edits.states import add_state
-from ..core.errors import SessionError
-from ..core.features import FeatureUse, FlagUp, Over, Statistic, TicksInState, declaration, summarize
-from ..core.library import statistic_vocabulary
+from ..core.automaton import Automaton, Basic, RaiseFlag, Start, State
+from ..core.features import FeatureUse, FlagUp, Statistic, TicksInState, summarize
 from ..core.machine import Machine, Senses
-from ..core.naming import named
-from ..core.project import Project
 from ..core.vocabulary import Vocabulary
 
 Values = Mapping[str, float]
@@ -25,32 +20,6 @@ class Triple:
     label: str
     values: Values
     continuation: bool = False
-
-
-def state_for(
-    project: Project, type_name: str, automaton_id: str, choice: str | Content
-) -> tuple[State, State | None]:
-    """The state that a choice means, and the same again if it is one that the automaton lacks and must be added.
-
-    Args:
-        choice: The id of a state, or what a state is to hold.
-
-    Raises:
-        SessionError: There is no state with that id.
-        EditError: The automaton cannot hold that.
-    """
-    library = project.library(type_name)
-    automaton = library.get(automaton_id)
-    for state in automaton.states:
-        if choice in (state.id, state.content):
-            return state, None
-    if isinstance(choice, str):
-        raise SessionError(
-            f"{automaton.name!r} has no state {choice!r}; there are: {named(automaton.states, library)}"
-        )
-    changed, state_id = add_state(project, type_name, automaton_id, choice)
-    added = changed.library(type_name).get(automaton_id).state(state_id)
-    return added, added
 
 
 def triples(
@@ -101,25 +70,40 @@ def on_entry(
 ) -> dict[str, float]:
     """The same values as they are when *picked* has just been entered.
 
-    The sub-behavior that starts has no flag up, no ticks have passed in its state, and where entering it directs the
-    subsidiaries, theirs are down as well. (With the flags of the state before, a state that was left because of a flag
-    would teach its successor to stay only while that flag is up.)
+    The sub-behavior that starts has no flag up, and no ticks have passed in its state. Where entering it directs the
+    subsidiaries, all their flags are down; where it only ends what they had been directed to do, those of that. (With
+    the flags of the state before, a state that was left because of a flag would teach its successor to stay only while
+    that flag is up.)
     """
-    directs = _directs(picked, machine.types.vocabulary(actor.node.type))
-    return {
-        use.id: _entered(machine, actor, use, values[use.id], directs=directs) for use in automaton.features
-    }
+    entry = _Entry(
+        directs=_directs(picked, machine.types.vocabulary(actor.node.type)),
+        leaves=actor.run is not None and actor.run.directs(),
+    )
+    return {use.id: _entered(machine, actor, use, values[use.id], entry) for use in automaton.features}
 
 
-def _entered(machine: Machine, actor: Actor, use: FeatureUse, value: float, *, directs: bool) -> float:
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """What a controller's change of state does to its subsidiaries."""
+
+    directs: bool
+    leaves: bool
+
+
+def _entered(machine: Machine, actor: Actor, use: FeatureUse, value: float, entry: _Entry) -> float:
     match use.source:
         case FlagUp() | TicksInState():
             return 0.0
-        case Statistic(operation, FlagUp() as flag, _) as statistic if directs:
-            below = actor.agents if statistic.over is Over.AGENTS else actor.children
-            default = declaration(flag, statistic_vocabulary(machine.types)).default
-            return summarize(operation, [0.0] * len(below), default)
+        case Statistic(operation, FlagUp(flag), _) as statistic if entry.directs or entry.leaves:
+            below = machine.below(actor, statistic)
+            return summarize(operation, [float(_still_up(flag, node, actor, entry)) for node in below], 0.0)
     return value
+
+
+def _still_up(flag: str, node: Actor, controller: Actor, entry: _Entry) -> bool:
+    if entry.directs:
+        return False
+    return flag in node.flags if node.parent == controller.node.id else node.shows(flag)
 
 
 def _directs(state: State, vocabulary: Vocabulary) -> bool:

@@ -4,17 +4,20 @@ Its caller owns the project. The session keeps a copy, applies what it records t
 same edits as events for the caller to make undoable.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import singledispatchmethod
+from math import isfinite
 
 from ..core.actor import Actor
-from ..core.edits.examples import Recorded, record_pick, take_back_pick
 from ..core.errors import SessionError, UnderstudyError
 from ..core.machine_state import rebase
-from ..core.project import Project
-from ..learner.trainer import apply, classifiers
-from ..sim.engine import FREE, Engine
+from ..core.project import Project, Value
+from ..sim.engine import Control, Engine
 from ..sim.scenario import Scenario
+from ..sim.world import FrozenWorld
+from .acts import Act
+from .carrying_over import EditLog, arm_now, losses, places
 from .commands import (
     Command,
     MoveEntity,
@@ -31,10 +34,28 @@ from .commands import (
     UseArm,
     UseProject,
 )
+from .directing import direct_roots
 from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
+from .models import Models
 from .runs import Treatment, start_engine, treatment
-from .snapshots import Event, Mode, NodeView, Picked, Refused, Relearned, Snapshot, TakenBack, view
+from .snapshots import (
+    Edit,
+    Event,
+    Interrupted,
+    Mode,
+    NodeView,
+    Picked,
+    Refused,
+    Relearned,
+    Snapshot,
+    TakenBack,
+    edited,
+    view,
+)
+
+#: Nobody is taught, and nobody has to be told who leaves a state.
+UNOBSERVED = Control(listen=False)
 
 
 class Session:
@@ -48,9 +69,18 @@ class Session:
     """
 
     def __init__(
-        self, project: Project, scenario: Scenario, arm: str, seed: int = 1, learner: Learner | None = None
+        self,
+        project: Project,
+        scenario: Scenario,
+        arm: str,
+        seed: int = 1,
+        learner: Learner | None = None,
+        settings: Mapping[str, Value] | None = None,
     ) -> None:
         """Begin with *arm*, its roots running its top behavior, paused.
+
+        Args:
+            settings: As in `UseArm`.
 
         Raises:
             UnderstudyError: The arm does not exist or cannot run.
@@ -60,16 +90,21 @@ class Session:
         self.speed: float | None = 0.0
         self.due = 0
         self._scenario = scenario
-        self._seed = seed
         self._learner = learner or InlineLearner()
+        self._models = Models(scenario.vocabulary)
+        self._models.use(project)
         self._tickets = 0
         self._events: list[Event] = []
+        self._log = EditLog()
         self._lesson: Lesson | None = None
         self._waits_for: Question | None = None
+        self._asked_by = 0
         self._failure = ""
-        self._treatment = self._treat(arm)
-        self._engine: Engine
-        self._begin()
+        self._settings = settings or {}
+        self._seed = seed
+        self._treatment = self._treat(arm, self._settings)
+        self._engine: Engine = start_engine(self._treatment, seed, self._leaving)
+        self._world: FrozenWorld = self._engine.frozen_world()
 
     # ------------------------------------------------------------------------------------- in and out
 
@@ -79,13 +114,13 @@ class Session:
         try:
             self._obey(command)
         except UnderstudyError as error:
-            self._events.append(Refused(self._tickets, str(error)))
+            self._refuse(error)
         return self._tickets
 
     def advance(self, ticks: int = 1) -> Snapshot:
         """Take in what was learned, pass ticks, and show what has become of it."""
         self.settle()
-        self._pass(ticks)
+        self.pass_ticks(ticks)
         return self.snapshot()
 
     def settle(self) -> None:
@@ -117,15 +152,25 @@ class Session:
         """The tick that comes next."""
         return self._engine.tick
 
+    @property
+    def acknowledged(self) -> int:
+        """The last ticket that was dealt with."""
+        return self._tickets
+
     def fail(self, message: str) -> None:
         """Stop the world and say why; the project is untouched."""
         self._failure = message
         self.speed, self.due = 0.0, 0
-        self._events.append(Refused(self._tickets, f"{message}. The world stands still; reset it to go on."))
+        self._refuse(f"{message}. The world stands still; reset it to go on.")
 
     def snapshot(self) -> Snapshot:
-        """The session as it is now."""
+        """The session as it is now; of a world that cannot be shown, the last that could."""
         engine = self._engine
+        try:
+            self._world = engine.frozen_world()
+        except UnderstudyError as error:
+            if not self._failure:
+                self.fail(str(error))
         return Snapshot(
             acknowledged=self._tickets,
             tick=engine.tick,
@@ -134,7 +179,7 @@ class Session:
             speed=self.speed if self.due == 0 else 1.0,
             seed=self._seed,
             arm=self._treatment.arm.name,
-            world=engine.frozen_world(),
+            world=self._world,
             nodes=self._views(),
             measures=engine.measures(),
             failure=self._failure,
@@ -143,6 +188,9 @@ class Session:
     def close(self) -> None:
         """End what runs beside the session."""
         self._learner.close()
+
+    def _refuse(self, why: object) -> None:
+        self._events.append(Refused(self._tickets, str(why)))
 
     def _views(self) -> Mapping[str, NodeView]:
         taught = self._lesson.taught if self._lesson else frozenset()
@@ -153,31 +201,22 @@ class Session:
 
     # ------------------------------------------------------------------------------------------- time
 
-    def _pass(self, ticks: int) -> None:
-        if self._waits_for is not None or self._failure:
+    def pass_ticks(self, ticks: int) -> None:
+        """Pass ticks, unless a lesson waits for what it learns, or the world has failed."""
+        if self._waits_for is not None or self._failure or ticks < 1:
             return
+        first = self._engine.tick
         try:
-            if self._lesson is None:
-                self._engine.step(ticks, FREE)
-            else:
-                for _ in range(ticks):
-                    self._engine.step(1, self._lesson.control)
-                    self._lesson.ticked()
+            self._engine.step(ticks, UNOBSERVED if self._lesson is None else self._lesson.control)
         except UnderstudyError as error:
             self.fail(str(error))
-        self.due = max(0, self.due - ticks)
-
-    def _begin(self, *, idle: bool = False) -> None:
-        self._lesson, self._waits_for, self._failure = None, None, ""
-        self._engine = start_engine(self._treatment, self._seed, self._leaving, idle=idle)
+        if self._lesson is not None:
+            self._lesson.ticked()
+        self.due = max(0, self.due - (self._engine.tick - first))
 
     def _leaving(self, actor: Actor, state: str) -> None:
         if self._lesson is not None:
             self._lesson.leaving(actor, state)
-
-    def _treat(self, arm: str, settings: Mapping[str, float | int | str | bool] | None = None) -> Treatment:
-        models = classifiers(self.project, self._scenario.vocabulary)
-        return treatment(self.project, self._scenario, self.project.arm(arm), settings, classifiers=models)
 
     # --------------------------------------------------------------------------------------- commands
 
@@ -187,26 +226,34 @@ class Session:
 
     @_obey.register
     def _(self, command: UseProject) -> None:
-        self._use(command.project)
+        project, lost = self._log.on_top(command.project, command.applied)
+        self._use(project)
+        self._events += [Interrupted(f"what was just taught could not be kept: {why}") for why in lost]
 
     @_obey.register
     def _(self, command: UseArm) -> None:
-        self._treatment = self._treat(command.arm, command.settings)
-        self._begin()
+        of = self._treat(command.arm, command.settings)
+        self._begin(start_engine(of, self._seed, self._leaving), of, None)
+        self._settings = command.settings
+        self._waits_for = None
 
     @_obey.register
     def _(self, command: Reset) -> None:
-        plan = self._lesson.plan if self._lesson else None
-        self._seed = self._seed if command.seed is None else command.seed
-        self._begin(idle=plan is not None)
-        if plan is not None:
-            self._lesson = Lesson(self._engine, self._treatment, plan)
+        seed = self._seed if command.seed is None else command.seed
+        of = self._treat(self._treatment.arm.name, self._settings)
+        engine = start_engine(of, seed, self._leaving, idle=self._lesson is not None)
+        lesson = None
+        if self._lesson is not None:
+            lesson = Lesson(engine, of, self._lesson.plan, self._lesson.acts)
+            if self._lesson.testing:
+                lesson.test()
+        self._begin(engine, of, lesson)
+        self._seed = seed
 
     @_obey.register
     def _(self, _: RunArm) -> None:
+        direct_roots(self._engine.machine, self._treatment.arm)
         self._lesson, self._waits_for = None, None
-        for root in self._treatment.arm.forest().roots:
-            self._engine.machine.direct(root.id, self._treatment.arm.top)
 
     @_obey.register
     def _(self, command: Teach) -> None:
@@ -216,32 +263,31 @@ class Session:
     @_obey.register
     def _(self, command: Pick) -> None:
         lesson = self._taught()
-        lesson.check_pick(self.project, command.node, command.choice)
-        for act in lesson.retract(command.node):
-            self._take_back(act.recorded)
-        self._record(lesson.pick(self.project, command.node, command.choice))
+        self._do(lesson, lesson.pick(self._without_waiting(command.node), command.node, command.choice))
 
     @_obey.register
     def _(self, command: ShouldNotHaveLeft) -> None:
         lesson = self._taught()
-        for act in lesson.retract(command.node):
-            self._take_back(act.recorded)
-        self._record(lesson.should_not_have_left(self.project, command.node))
+        self._do(lesson, lesson.should_not_have_left(self._without_waiting(command.node), command.node))
 
     @_obey.register
     def _(self, _: UndoPick) -> None:
-        self._take_back(self._taught().undo().recorded)
+        self._change(TakenBack(self._taught().undo().recorded))
 
     @_obey.register
     def _(self, _: Test) -> None:
         self._taught()
+        self._asked_by = self._tickets
         self._ask()
 
     @_obey.register
     def _(self, command: Play) -> None:
-        if command.speed is not None and not command.speed > 0:
-            raise SessionError(f"a speed is above 0 (1 is 60 ticks a second), but it is {command.speed}")
-        self.speed = command.speed
+        self._refuse_failed()
+        if command.speed is not None and not (command.speed > 0 and isfinite(command.speed)):
+            raise SessionError(
+                f"the speed is {command.speed}; allowed: above 0 (1 is 60 ticks a second), or none for as fast as it can"
+            )
+        self.speed, self.due = command.speed, 0
 
     @_obey.register
     def _(self, _: Pause) -> None:
@@ -249,6 +295,7 @@ class Session:
 
     @_obey.register
     def _(self, command: Step) -> None:
+        self._refuse_failed()
         if command.ticks < 1:
             raise SessionError(f"a step is of 1 tick or more, but it is {command.ticks}")
         self.speed, self.due = 0.0, self.due + command.ticks
@@ -257,59 +304,104 @@ class Session:
     def _(self, command: MoveEntity) -> None:
         self._engine.move(command.entity, command.x, command.y)
 
-    # ----------------------------------------------------------------------------------------- the project
+    def _refuse_failed(self) -> None:
+        if self._failure:
+            raise SessionError(f"the world stands still: {self._failure}. Reset it to go on")
+
+    def _begin(self, engine: Engine, of: Treatment, lesson: Lesson | None) -> None:
+        """Go on in another world, in which nothing can fail any more."""
+        self._world = engine.frozen_world()
+        self._engine, self._treatment, self._lesson, self._failure = engine, of, lesson, ""
+        self.due = 0
+
+    # ------------------------------------------------------------------------------------------ the lesson
 
     def _taught(self) -> Lesson:
         if self._lesson is None:
             raise SessionError("nothing is being taught; choose a behavior and an agent to teach first")
         return self._lesson
 
-    def _record(self, recorded: Recorded) -> None:
-        self._use(record_pick(self.project, recorded))
-        self._events.append(Picked(recorded))
+    def _without_waiting(self, node_id: str) -> Project:
+        """The project without what picks recorded that are to be replaced."""
+        project = self.project
+        for act in self._taught().waiting(node_id):
+            project = edited(project, TakenBack(act.recorded))
+        return project
 
-    def _take_back(self, recorded: Recorded) -> None:
-        self._use(take_back_pick(self.project, recorded))
-        self._events.append(TakenBack(recorded))
+    def _do(self, lesson: Lesson, act: Act) -> None:
+        replaced = [TakenBack(old.recorded) for old in lesson.waiting(act.node)]
+        edited(self._without_waiting(act.node), Picked(act.recorded))  # raises before anything has changed
+        lesson.add(act)
+        self._change(*replaced, Picked(act.recorded))
+
+    # ----------------------------------------------------------------------------------------- the project
+
+    def _treat(self, arm: str, settings: Mapping[str, Value]) -> Treatment:
+        return treatment(
+            self.project,
+            self._scenario,
+            self.project.arm(arm),
+            settings,
+            classifiers=self._models.classifiers,
+        )
+
+    def _change(self, *edits: Edit) -> None:
+        """Make edits of the session's own, at once, and report them."""
+        project = self.project
+        for edit in edits:
+            project = edited(project, edit)
+            self._log.add(edit)
+        self._events += edits
+        self._use(project)
 
     def _use(self, project: Project) -> None:
         """Go on with another value of the project, every node in the same place as far as that still exists."""
-        self.project = project
+        old, self.project = self.project, project
         self.revision += 1
-        self._treatment = self._refreshed(project)
-        rebase(
-            self._engine.machine, project.types_with(self._scenario.vocabulary), self._treatment.classifiers
-        )
+        arm = arm_now(self._treatment.arm, old, project)
+        self._treatment = replace(self._treatment, project=project, arm=arm)
+        if self._lesson is not None:
+            self._lesson.treatment = self._treatment
+        if project.libraries is old.libraries and project.types is old.types:
+            return  # only examples have changed: nobody does anything else
+        self._models.use(project)
+        try:
+            self._rebase()
+        except UnderstudyError as error:
+            self.fail(f"the world cannot go on with the changed project: {error}")
 
-    def _refreshed(self, project: Project) -> Treatment:
-        old = self._treatment
-        models = classifiers(project, self._scenario.vocabulary)
-        return Treatment(project, self._scenario, old.arm, old.parameters, old.physics, models)
+    def _rebase(self) -> None:
+        machine, types = self._engine.machine, self.project.types_with(self._scenario.vocabulary)
+        before = places(machine)
+        rebase(machine, types, self._models.classifiers)
+        self._events += [Interrupted(loss) for loss in losses(before, places(machine))]
+        if self._lesson is not None:
+            try:
+                self._lesson.project_changed()
+            except UnderstudyError as error:
+                self._lesson, self._waits_for = None, None
+                self.speed, self.due = 0.0, 0
+                self._events.append(Interrupted(f"the lesson is over: {error}"))
 
     # -------------------------------------------------------------------------------------------- learning
 
     def _ask(self) -> None:
-        plan = self._taught().plan
-        self._waits_for = Question(
-            self.revision, self.project, self._scenario.vocabulary, plan.type, plan.automaton
-        )
-        self._learner.ask(self._waits_for)
+        plan, vocabulary = self._taught().plan, self._scenario.vocabulary
+        question = Question(self.revision, self.project, vocabulary, plan.type, plan.automaton)
+        self._learner.ask(question)
+        self._waits_for = question
 
     def _take(self, answer: Answer) -> None:
         """Use what was learned, unless the project has changed meanwhile: then learn again."""
-        if self._waits_for is None or self._lesson is None:
+        if self._lesson is None or answer.question is not self._waits_for:
             return
         if answer.question.revision != self.revision:
             self._ask()
             return
         self._waits_for = None
         if answer.learned is None:
-            self._events.append(Refused(self._tickets, answer.problem))
+            self._events.append(Refused(self._asked_by, answer.problem))
             return
-        self._use(apply(self.project, answer.learned))
-        self._events.append(Relearned(answer.learned))
-        self._lesson.test()
-
-
-#: Makes the session for a thread, given what wakes that thread up.
-MakeSession = Callable[[Callable[[], None]], Session]
+        self._change(Relearned(answer.learned))
+        if self._lesson is not None:  # it would be over if it could not go on
+            self._lesson.test()

@@ -6,8 +6,9 @@ from enum import StrEnum
 
 from ..core.actor import Actor, Run
 from ..core.automaton import Automaton
-from ..core.edits.examples import Recorded
-from ..learner.trainer import Learned
+from ..core.edits.examples import Recorded, record_pick, take_back_pick
+from ..core.project import Project
+from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
 from ..sim.world import FrozenWorld
 
 
@@ -66,21 +67,21 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Picked:
-    """A pick was recorded: apply `record` with it."""
+    """A pick was recorded."""
 
     recorded: Recorded
 
 
 @dataclass(frozen=True, slots=True)
 class TakenBack:
-    """A pick was taken back: apply `take_back` with it."""
+    """A pick was taken back, or replaced by the one after."""
 
     recorded: Recorded
 
 
 @dataclass(frozen=True, slots=True)
 class Relearned:
-    """Models were learned: apply `app.learner.trainer.apply` with them."""
+    """Models were learned."""
 
     learned: Learned
 
@@ -93,7 +94,39 @@ class Refused:
     message: str
 
 
-Event = Picked | TakenBack | Relearned | Refused
+@dataclass(frozen=True, slots=True)
+class Interrupted:
+    """Something ended by itself, because an edit took away what it was about; the message says what."""
+
+    message: str
+
+
+#: What changed the session's copy of the project, and is to change the caller's in the same way, see `edited`.
+Edit = Picked | TakenBack | Relearned
+Event = Edit | Refused | Interrupted
+
+
+def edited(project: Project, edit: Edit) -> Project:
+    """*project* with one of the session's edits.
+
+    Of what was learned, only that is put in which was learned from the examples that *project* has.
+
+    Raises:
+        EditError: *project* has changed so much that the edit is not possible.
+    """
+    match edit:
+        case Picked(recorded):
+            return record_pick(project, recorded)
+        case TakenBack(recorded):
+            return take_back_pick(project, recorded)
+        case Relearned(learned):
+            fitting = {where: new for where, new in learned.automata.items() if _fits(project, where, new)}
+            return apply(project, Learned(fitting))
+
+
+def _fits(project: Project, where: tuple[str, str], new: LearnedAutomaton) -> bool:
+    automaton = project.library(where[0]).automata.get(where[1])
+    return automaton is not None and fingerprint(automaton, project.examples_of(*where)) == new.fingerprint
 
 
 def view(actor: Actor, *, taught: bool) -> NodeView:

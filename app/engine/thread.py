@@ -2,35 +2,40 @@
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import replace
 from threading import Condition, Thread
 from time import monotonic
 
+from ..core.errors import SessionError
 from .commands import Command
-from .session import MakeSession, Session
-from .snapshots import Event, Snapshot
+from .pace import FRAME, Pace
+from .session import Session
+from .snapshots import Event, Refused, Snapshot
 
-#: Ticks a second at speed 1.
-TICKS_PER_SECOND = 60
-#: How long the thread works before it looks for commands and shows a snapshot again, in seconds.
-SLICE = 0.01
-#: A world that cannot keep up with the speed asked for is not chased further than this, in seconds.
-MOST_BEHIND = 0.1
+#: Makes the session, given what wakes the thread up.
+MakeSession = Callable[[Callable[[], None]], Session]
 
 
 class EngineThread:
     """Runs a session in the background.
 
-    Commands are queued and answered by tickets; the newest snapshot wins, nothing is emitted per tick.
+    Commands are queued and answered by tickets; the newest snapshot wins, nothing is emitted per tick. Whatever goes
+    wrong in the session ends up as a failure in the snapshot and as an event; the thread lives until it is closed.
     """
 
-    def __init__(self, make: MakeSession, clock: Callable[[], float] = monotonic) -> None:
+    def __init__(
+        self, make: MakeSession, clock: Callable[[], float] = monotonic, wake: Condition | None = None
+    ) -> None:
         """Start the thread, paused.
 
         Args:
             make: Makes the session; it is given a function that wakes the thread.
-            clock: Gives seconds; passed in so that tests can do without real time.
+            clock, wake: Give seconds and let the thread sleep; passed in so that tests can do without real time.
+
+        Raises:
+            UnderstudyError: The session cannot be made.
         """
-        self._wake = Condition()
+        self._wake = wake or Condition()
         self._clock = clock
         self._inbox: deque[Command] = deque()
         self._outbox: list[Event] = []
@@ -39,15 +44,22 @@ class EngineThread:
         self._nudged = False
         self._session = make(self._nudge)
         self._newest = self._session.snapshot()
-        self._rate = 0.0
+        self._pace = Pace(clock)
+        self._show_at = clock()
         self._thread = Thread(target=self._work, name="engine", daemon=True)
         self._thread.start()
 
     # ---------------------------------------------------------------------------- from any other thread
 
     def send(self, command: Command) -> int:
-        """Queue a command; its ticket comes back in a snapshot once it was dealt with."""
+        """Queue a command; its ticket comes back in a snapshot once it was dealt with.
+
+        Raises:
+            SessionError: The thread was closed.
+        """
         with self._wake:
+            if self._stop:
+                raise SessionError("the engine is closed; it takes no commands any more")
             self._inbox.append(command)
             self._tickets += 1
             self._wake.notify_all()
@@ -60,8 +72,8 @@ class EngineThread:
 
     @property
     def rate(self) -> float:
-        """Ticks per second over the last slice; 0 when paused."""
-        return self._rate
+        """Ticks per second over the last half second or so; 0 when paused."""
+        return self._pace.rate
 
     def events(self) -> list[Event]:
         """What happened since the last call, in order."""
@@ -73,13 +85,16 @@ class EngineThread:
         """Wait for a snapshot that is *ready*.
 
         Raises:
+            SessionError: None will come, since the engine has failed or was closed; the message says why.
             TimeoutError: None came in *timeout* seconds.
         """
         with self._wake:
-            if not self._wake.wait_for(lambda: ready(self._newest), timeout):
+            if not self._wake.wait_for(lambda: ready(self._newest) or self._ended(), timeout):
                 raise TimeoutError(
                     f"no such snapshot in {timeout} s; the newest is at tick {self._newest.tick}"
                 )
+            if not ready(self._newest):
+                raise SessionError(self._ended())
             return self._newest
 
     def close(self) -> None:
@@ -90,6 +105,13 @@ class EngineThread:
         self._thread.join()
         self._session.close()
 
+    def _ended(self) -> str:
+        """Why no snapshot will come unless another command does; empty if one may."""
+        if self._stop:
+            return "the engine is closed"
+        answered = self._newest.acknowledged >= self._tickets
+        return f"the engine stands still: {self._newest.failure}" if answered and self._newest.failure else ""
+
     def _nudge(self) -> None:
         with self._wake:
             self._nudged = True
@@ -98,74 +120,61 @@ class EngineThread:
     # -------------------------------------------------------------------------------------- in the thread
 
     def _work(self) -> None:
-        pace = Pace(self._clock)
-        while self._wait():
-            self._obey()
-            self._session.settle()
-            started, ticks = self._clock(), pace.ticks(self._session)
-            if ticks:
-                self._session.advance(ticks)
-                pace.passed(ticks, self._clock() - started)
-            self._rate = pace.rate if self._session.playing else 0.0
-            self._publish()
+        while self._sleep():
+            try:
+                self._round()
+            except BaseException as error:  # noqa: BLE001 - whatever it is, those who wait have to hear of it
+                self._fail(error)
 
-    def _wait(self) -> bool:
+    def _sleep(self) -> bool:
         """Sleep until there is something to do; False when it is time to end."""
         with self._wake:
-            while not (self._stop or self._inbox or self._nudged or self._session.playing):
-                self._wake.wait()
-            if (
-                self._session.playing
-                and not (self._inbox or self._nudged or self._stop)
-                and self._session.speed
-            ):
-                self._wake.wait(1 / TICKS_PER_SECOND / max(1.0, self._session.speed))
-            self._nudged = False
+            while not (self._stop or self._inbox or self._nudged):
+                delay = self._pace.delay(self._session)
+                if delay == 0.0 or not self._wake.wait(delay):
+                    break  # ticks are due
             return not self._stop
 
-    def _obey(self) -> None:
+    def _round(self) -> None:
+        """Obey commands, take in what was learned, pass the ticks that are due, show what has become of it."""
+        answering = self._obey()
+        self._session.settle()
+        ticks = self._pace.ticks(self._session)
+        if ticks:
+            self._session.pass_ticks(ticks)
+            self._pace.passed(ticks)
+        if answering or not self._session.playing or self._clock() >= self._show_at:
+            self._publish()
+
+    def _obey(self) -> bool:
+        """Obey the commands that have come; whether somebody waits for an answer."""
         with self._wake:
-            commands = list(self._inbox)
-            self._inbox.clear()
-        for command in commands:
-            self._session.send(command)
+            answering, self._nudged = self._nudged, False
+        while self._inbox:
+            answering = True
+            self._session.send(self._inbox.popleft())
+        return answering
 
     def _publish(self) -> None:
+        began = self._clock()
         snapshot, events = self._session.snapshot(), self._session.events()
+        ended = self._clock()
+        self._show_at = ended + max(FRAME, 3 * (ended - began))  # a large world is not shown all the time
+        self._post(snapshot, events)
+
+    def _post(self, snapshot: Snapshot, events: list[Event]) -> None:
         with self._wake:
             self._newest = snapshot
             self._outbox += events
             self._wake.notify_all()
 
-
-class Pace:
-    """How many ticks to pass now, so that *speed* x 60 of them pass a second."""
-
-    def __init__(self, clock: Callable[[], float]) -> None:
-        self._clock = clock
-        self._last = clock()
-        self._owed = 0.0
-        self._cost = 1e-4  # seconds a tick, measured as it goes
-        self.rate = 0.0
-
-    def ticks(self, session: Session) -> int:
-        """How many ticks to pass in the coming slice."""
-        now = self._clock()
-        elapsed, self._last = min(now - self._last, MOST_BEHIND), now
-        most = max(1, int(SLICE / self._cost))
-        if not session.playing:
-            self._owed = 0.0
-            return 0
-        if session.due:
-            return min(session.due, most)
-        if session.speed is None:
-            return most
-        self._owed = min(self._owed + elapsed * session.speed * TICKS_PER_SECOND, most + 1.0)
-        ticks = int(self._owed)
-        self._owed -= ticks
-        return ticks
-
-    def passed(self, ticks: int, seconds: float) -> None:
-        """Take in how long *ticks* took."""
-        self._cost = max(seconds / ticks, 1e-7)
-        self.rate = ticks / max(seconds, SLICE if ticks * self._cost < SLICE else seconds)
+    def _fail(self, error: BaseException) -> None:
+        """Tell of something that nobody foresaw."""
+        why = f"{type(error).__name__}: {error}"
+        try:
+            self._session.fail(why)
+            self._publish()
+        except BaseException:  # noqa: BLE001 - not even a snapshot can be made: show the last one, stopped
+            ticket = self._session.acknowledged
+            stopped = replace(self._newest, acknowledged=ticket, speed=0.0, failure=why)
+            self._post(stopped, [Refused(ticket, f"{why}. The world stands still; reset it to go on.")])
