@@ -13,7 +13,7 @@ from app.sim.kernel import KernelEngine
 from app.sim.reference import ReferenceEngine
 from tests.random_runs import Witness, compare, difference, direct_roots, everything, random_start, two_owners
 
-EXAMPLES = int(os.environ.get("UNDERSTUDY_EXAMPLES", "150"))
+EXAMPLES = int(os.environ.get("UNDERSTUDY_EXAMPLES", "90"))
 TICKS = 40
 SEEDS = st.integers(0, 1 << 32)
 

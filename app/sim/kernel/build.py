@@ -23,7 +23,7 @@ from platformdirs import user_cache_path
 
 from ...core.errors import UncompilableError
 from ..scenario import Scenario
-from . import columns, drawing, linking, tick
+from . import columns, linking, tick, twins
 from .source import Layout, kernel_source, scenario_functions
 
 #: Told in a few words what takes time.
@@ -65,7 +65,7 @@ def cache_folder() -> Path:
 
 def _digest(scenario: Scenario, source: str) -> str:
     functions = {**scenario_functions(scenario), "run": tick.run}
-    for module in (columns, drawing, linking):
+    for module in (columns, twins, linking):
         source += Path(str(module.__file__)).read_text(encoding="utf-8")
     versions = f"{numba.__version__} {np.__version__} {sys.version}"
     return hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
@@ -112,7 +112,7 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
     assert spec.loader is not None
     module = module_from_spec(spec)
     functions = scenario_functions(scenario)
-    linker = linking.Linker(_compile_one, drawing.TWINS, inline_loops=len(functions) <= MOST_INLINED)
+    linker = linking.Linker(_compile_one, twins.TWINS, inline_loops=len(functions) <= MOST_INLINED)
     vars(module).update({called: linker.linked(function) for called, function in functions.items()})
     vars(module).update(
         column_f=columns.column_f,

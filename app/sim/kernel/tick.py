@@ -15,18 +15,15 @@ from ..program.tables import (
     ALL,
     ANY,
     ARGMAX,
-    AT_MOST,
     BASIC,
     COUNT,
     END,
-    EQUALS,
     FINISHED_BIT,
     FLAG,
     FLAG_UP,
     FORBID,
     GROUP,
     HOLD,
-    IN_ARC,
     KEY_HEAD,
     LEAF,
     LEARNED,
@@ -38,6 +35,7 @@ from ..program.tables import (
     SENSE,
     STATISTIC_OF_SENSE,
     TAKE,
+    TEST,
     TICKS_IN_STATE,
 )
 
@@ -297,11 +295,11 @@ def next_state(
     at = tab.code[state]
     operation = tab.operation[at]
     while operation != END:
-        if operation <= IN_ARC:
+        if operation == TEST:
             value = value_of(world, tab, runs, node, row, tab.use[at], now, stamp)
-            at = tab.yes[at] if passes(tab, at, operation, value) else tab.no[at]
+            at = tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]
         elif operation == TAKE:
-            probability = tab.a[at]
+            probability = tab.low[at]
             runs.entry[entries] = tab.goal[at]
             runs.entry_share[entries] = left * probability
             entries += 1
@@ -358,19 +356,6 @@ def decided(  # noqa: PLR0917 - as many numbers as there are: compiled code take
     if tab.sampling[state] == HOLD and changed == 0:
         return state
     return chosen(tab, runs, state, entries, left, drawer, level, now)
-
-
-def passes(tab: Tables, at: int, operation: int, value: float) -> bool:
-    """Whether a value passes the test at a place in the code."""
-    if operation == AT_MOST:
-        return value <= tab.a[at]  # type: ignore[no-any-return]
-    if operation == EQUALS:
-        return value == tab.a[at]  # type: ignore[no-any-return]
-    start = tab.a[at]
-    end = tab.b[at]
-    if start <= end:
-        return start <= value and value < end  # type: ignore[no-any-return]  # noqa: PLR1716 - as numba likes it
-    return value >= start or value < end  # type: ignore[no-any-return]
 
 
 def changed_word(runs: Runs, at: int, word: int) -> int:

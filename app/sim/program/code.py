@@ -6,13 +6,14 @@ that every operation knows where those after it begin.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from math import inf, nextafter
 
 from ...core.automaton import Prune, Rule, Sampling
-from ...core.conditions import AtMost, Equals, Guard, Test
+from ...core.conditions import AtMost, Equals, Guard, InArc, Test
 from ...core.errors import ProgramError
 from ...core.transition import Outcome, choose
 from ...core.tree import LEAF as NO_TEST
-from ...core.tree import FlatTree, Forest, Tree, flatten, shares
+from ...core.tree import FlatTree, Forest, Leaf, Tree, flatten, shares
 from . import tables
 from .tables import LeafRow
 
@@ -55,8 +56,8 @@ class Code:
 
     operation: list[int] = field(default_factory=list)
     use: list[int] = field(default_factory=list)
-    a: list[float] = field(default_factory=list)
-    b: list[float] = field(default_factory=list)
+    low: list[float] = field(default_factory=list)
+    high: list[float] = field(default_factory=list)
     yes: list[int] = field(default_factory=list)
     no: list[int] = field(default_factory=list)
     goal: list[int] = field(default_factory=list)
@@ -90,7 +91,7 @@ class Code:
         for number, rule in reversed(list(enumerate(transition.rules))):
             takes = self._put(
                 tables.TAKE,
-                a=rule.probability,
+                low=rule.probability,
                 yes=at,
                 goal=transition.goals(rule.target),
                 mask=1 << number,
@@ -102,8 +103,8 @@ class Code:
         self,
         operation: int,
         use: int = 0,
-        a: float = 0.0,
-        b: float = 0.0,
+        low: float = 0.0,
+        high: float = 0.0,
         yes: int = 0,
         no: int = 0,
         goal: int = 0,
@@ -115,8 +116,8 @@ class Code:
             strict=True,
         ):
             column.append(value)
-        self.a.append(float(a))
-        self.b.append(float(b))
+        self.low.append(float(low))
+        self.high.append(float(high))
         return len(self.operation) - 1
 
     def _guard(self, guard: Guard, uses: Uses, yes: int, no: int) -> int:
@@ -126,31 +127,25 @@ class Code:
         return yes
 
     def _test(self, test: Test, uses: Uses, yes: int, no: int) -> int:
-        use = uses(test.feature)
-        if isinstance(test, AtMost):
-            return self._put(tables.AT_MOST, use, test.threshold, 0.0, yes, no)
-        if isinstance(test, Equals):
-            return self._put(tables.EQUALS, use, test.value, 0.0, yes, no)
-        return self._put(tables.IN_ARC, use, test.start, test.end, yes, no)
+        """A test of every sort asks whether a value lies between two others, both included."""
+        low, high, inside = _interval(test)
+        good, bad = (yes, no) if inside else (no, yes)
+        return self._put(tables.TEST, uses(test.feature), low, high, good, bad)
 
     # ------------------------------------------------------------------------------------------- trees
 
     def _tree(self, transition: Transition, number: int, tree: Tree, after: int) -> int:
+        nodes = tuple(tree.nodes())
         flat = flatten(tree)
-        paths, at = _paths(flat), [0] * len(flat.slot)
+        paths, at = _paths(flat), [0] * len(nodes)
         operation = tables.TREE_OF_FOREST if isinstance(transition.model, Forest) else tables.LEAF
-        for k in reversed(range(len(flat.slot))):
-            if flat.slot[k] == NO_TEST:
-                leaf = self._leaf(transition, number, shares(flat.counts[k]), paths[k])
+        for k, node in reversed(list(enumerate(nodes))):
+            if isinstance(node, Leaf):
+                leaf = self._leaf(transition, number, shares(node.counts), paths[k])
                 at[k] = self._put(operation, use=number, yes=after, goal=leaf)
             else:
-                at[k] = self._branch(flat, k, transition.uses, at)
+                at[k] = self._test(node.test, transition.uses, at[flat.yes[k]], at[flat.no[k]])
         return at[0]
-
-    def _branch(self, flat: FlatTree, k: int, uses: Uses, at: Sequence[int]) -> int:
-        use = uses(flat.features[flat.slot[k]])
-        operation = _TESTS[flat.operation[k]]
-        return self._put(operation, use, flat.a[k], flat.b[k], at[flat.yes[k]], at[flat.no[k]])
 
     def _leaf(self, transition: Transition, tree: int, probabilities: tuple[float, ...], path: int) -> int:
         row = len(self.leaves)
@@ -166,7 +161,16 @@ class Code:
         return row
 
 
-_TESTS = {"at most": tables.AT_MOST, "equals": tables.EQUALS, "in arc": tables.IN_ARC}
+def _interval(test: Test) -> tuple[float, float, bool]:
+    """The least and the greatest value, and whether those between them pass or all others do."""
+    match test:
+        case AtMost(_, threshold):
+            return -inf, threshold, True
+        case Equals(_, value):
+            return value, value, True
+        case InArc(_, start, end):
+            first, beyond, inside = (start, end, True) if start <= end else (end, start, False)
+            return first, nextafter(beyond, -inf), inside
 
 
 def _paths(flat: FlatTree) -> list[int]:

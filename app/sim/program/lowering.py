@@ -372,7 +372,7 @@ class _Lowering:
             "binding": self._bindings,
             "label": self._labels,
         }
-        for name in ("operation", "use", "a", "b", "yes", "no", "goal", "mask", *_LEAF_COLUMNS):
+        for name in ("operation", "use", "low", "high", "yes", "no", "goal", "mask", *_LEAF_COLUMNS):
             found[name] = getattr(code, name)
         return Program(
             self._sizes(),

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from ...core.automaton import Automaton
 from ...core.vocabulary import BasicBehavior
 
-# Operations of transition code. Tests come first.
-AT_MOST, EQUALS, IN_ARC, TAKE, FORBID, LEAF, TREE_OF_FOREST, END = range(8)
+# Operations of transition code.
+TEST, TAKE, FORBID, LEAF, TREE_OF_FOREST, END = range(6)
 # What a state holds.
 NOTHING, BASIC, NESTED, FLAG = range(4)
 # Sources of feature uses.
@@ -40,10 +40,10 @@ NOWHERE = 0
 #: Column name -> float64 ("f") or int64 ("i"), in the order in which a kernel takes them.
 TABLE_COLUMNS: Mapping[str, str] = {
     # transition code
-    "operation": "i",  # AT_MOST, ...
+    "operation": "i",  # TEST, ...
     "use": "i",  # a test's feature use
-    "a": "f",  # a test's first number; a rule's probability
-    "b": "f",  # a test's second number
+    "low": "f",  # the least value that passes a test; a rule's probability
+    "high": "f",  # the greatest value that passes a test
     "yes": "i",  # where to go on
     "no": "i",  # where to go on when a test fails
     "goal": "i",  # a rule's state; a leaf

@@ -19,12 +19,9 @@ SEEDS = tuple(dict.fromkeys((0, 1, 290, 275, 130, 81, 64, 60, 36, 31, *range(300
 
 #: What is wrong -> the text, and what stands there instead.
 MISTAKES = {
-    "a guard at its threshold fails": ("return value <= tab.a[at]", "return value < tab.a[at]"),
-    "an arc has its end": ("start <= value and value < end", "start <= value and value <= end + 0.5"),
-    "an arc through the seam is none": (
-        "return value >= start or value < end",
-        "return value >= start and value < end",
-    ),
+    "a test fails at its upper end": ("<= tab.high[at]", "< tab.high[at]"),
+    "a test fails at its lower end": ("tab.low[at] <= value", "tab.low[at] < value"),
+    "tests have no lower end": ("tab.low[at] <= value", "value"),
     "a rule takes all that is left": ("left = left * (1.0 - probability)", "left = 0.0"),
     "a rule takes its whole probability": ("= left * probability", "= probability"),
     "rules leave nothing to the model": ("left > 0.0 else 0", "left >= 1.0 else 0"),

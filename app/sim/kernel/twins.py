@@ -1,15 +1,18 @@
-"""Chance in compiled code: the same draws as `app.core.chance`, to the bit."""
+"""Compiled twins of what scenarios share: the same chance, to the bit, and the same angles, faster."""
+
+from math import pi, tau
 
 import numpy as np
 from numba import njit
 
 from ...core import chance
+from .. import geometry
 
 _GOLDEN, _WHO, _TICK = np.uint64(chance.GOLDEN), np.uint64(chance.WHO), np.uint64(chance.TICK)
 _MIX_1, _MIX_2 = np.uint64(chance.MIX_1), np.uint64(chance.MIX_2)
 _30, _27, _31, _11 = np.uint64(30), np.uint64(27), np.uint64(31), np.uint64(11)
 _U = np.uint64
-_UNIT = chance.UNIT
+_UNIT, _PI, _TAU = chance.UNIT, pi, tau
 _FIRST_SCENARIO_DRAW = chance.FIRST_SCENARIO_DRAW
 
 
@@ -33,5 +36,18 @@ def uniform(clock, who, number):  # type: ignore[no-untyped-def]
     return draw(clock[3], clock[2], who, _FIRST_SCENARIO_DRAW + number)
 
 
+@njit(forceinline=True)
+def wrapped(angle):  # type: ignore[no-untyped-def]
+    """`app.sim.geometry.wrapped` without dividing where one turn more or less is exact."""
+    turned = angle + _PI
+    if turned < 0.0 and turned >= -_TAU:
+        turned = turned + _TAU
+    elif turned >= _TAU and turned < 2.0 * _TAU:
+        turned = turned - _TAU
+    elif not (turned >= 0.0 and turned < _TAU):
+        turned = turned % _TAU
+    return turned - _PI if turned < _TAU else -_PI
+
+
 #: What stands in for the plain functions in compiled code.
-TWINS = {chance.draw: draw, chance.uniform: uniform}
+TWINS = {chance.draw: draw, chance.uniform: uniform, geometry.wrapped: wrapped}
