@@ -1,14 +1,16 @@
 """The best arc of a toroidal column: two cuts of the circle, the best pair of all.
 
-Between b cuts there are b (b - 1) / 2 pairs. Nodes with few cuts are searched in bulk, all pairs of all nodes with the
-same number of cuts at once. In nodes with many, runs of neighboring cuts are compared first: a bound on what any pair
+Between b cuts there are b (b - 1) / 2 pairs. Nodes with few cuts are searched in bulk, all pairs of all nodes with about
+as many cuts at once. In nodes with many, runs of neighboring cuts are compared first: a bound on what any pair
 from two runs can gain rules most of them out, and the rest is searched pair by pair. Both are exact. Beyond `MOST_CUTS`
 cuts, only that many at equal quantiles of the examples are tried.
 
-The bound: with t the class shares of the node, and d the deviation of the class weights in an arc of weight m from m t,
-the gain is at most log2(1 + x), where x = sum(d^2 / t) / (m (n - m)) is the chi-squared statistic over n (relative
-entropy is at most the logarithm of one plus chi-squared). Seen as points ``d / sqrt(t)``, the cuts give that sum as the
-squared distance of two points, so two runs of cuts, each within a ball, bound it by the triangle inequality.
+The bound: in a node of weight n with class shares t, an arc of weight m has class weights that deviate by d from m t. Its
+gain is (m D(inside) + (n - m) D(outside)) / n, where D is the relative entropy of the labels on one side to t. With
+x = sqrt(sum(d^2 / t)), which is the same on both sides, m D is at most m log(1 + x^2 / m^2) by Jensen's inequality; and at
+most (1 + e/3 + 2 e^2/3) x^2 / (2 m) by Taylor's theorem, where e is the largest share by which a class falls short of
+what is expected. Seen as points ``d / sqrt(t)``, cuts have x as their distance, so two runs of cuts, each within a ball
+around its middle, bound it by the triangle inequality.
 """
 
 from collections.abc import Iterator
@@ -16,7 +18,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .blocks import Blocks
+from .blocks import Blocks, sizes_of_runs, starts_of_runs
 from .dataset import Floats, Integers
 from .impurity import NOT_ALLOWED, TOLERANCE, Whole, best_in_each, gain_and_information
 
@@ -24,6 +26,8 @@ from .impurity import NOT_ALLOWED, TOLERANCE, Whole, best_in_each, gain_and_info
 MOST_CUTS = 2000
 #: Nodes with more cuts than this are searched with bounds.
 FEW_CUTS = 64
+#: The widths of tables of cuts.
+WIDTHS = np.array([2, 3, 4, 6, 8, 12, 16, 24, 32, 48, FEW_CUTS])
 #: Cuts in a run, at first and each time that runs are divided.
 RUNS = (64, 16, 4)
 #: Pairs that are looked at together; more would fall out of the processor's cache.
@@ -40,11 +44,10 @@ _NOTHING = 1e-9
 def best_arcs(found: Blocks, nodes: Whole, least: float) -> Arcs:
     """The best arc of each node that has two cuts or more, in no particular order of nodes."""
     cuts = np.flatnonzero(found.boundary)
-    starts = np.flatnonzero(np.diff(found.node[cuts], prepend=-1))
-    sizes = np.diff(starts, append=len(cuts))
+    starts = starts_of_runs(found.node[cuts])
+    sizes = sizes_of_runs(starts, len(cuts))
     parts = [_empty()]
-    for size in np.unique(sizes[sizes <= FEW_CUTS]).tolist():
-        table = cuts[starts[sizes == size][:, None] + np.arange(size)]
+    for table in _tables(cuts, starts, sizes):
         parts += (_all_pairs(rows, found, nodes, least) for rows in _portions(table))
     for number in np.flatnonzero(sizes > FEW_CUTS).tolist():
         mine = thinned(cuts[starts[number] : starts[number] + sizes[number]], found)
@@ -65,6 +68,18 @@ def _pairs(count: int) -> tuple[Integers, Integers]:
 
 
 # ------------------------------------------------------------------------------------ few cuts: every pair
+
+
+def _tables(cuts: Integers, starts: Integers, sizes: Integers) -> Iterator[Integers]:
+    """The cuts of nodes with few of them, one node a row, nodes with about as many cuts in one table.
+
+    Rows are filled up with their last cut: the empty arc that it makes with itself gains nothing and is never taken.
+    """
+    few = np.flatnonzero(sizes <= FEW_CUTS)
+    width = WIDTHS[np.searchsorted(WIDTHS, sizes[few])]
+    for size in np.unique(width).tolist():
+        rows = few[width == size]
+        yield cuts[starts[rows][:, None] + np.minimum(np.arange(size), sizes[rows][:, None] - 1)]
 
 
 def _portions(table: Integers) -> Iterator[Integers]:
@@ -112,7 +127,7 @@ def _bounded(cuts: Integers, found: Blocks, nodes: Whole, least: float) -> Arcs:
 
 
 class _Search:
-    """The search for the best pair of cuts of one node, by runs of neighboring cuts that are divided as long as needed.
+    """The search for the best arc of one node, by runs of neighboring cuts that are divided as long as needed.
 
     Attributes:
         below: Class weights below each cut, (classes, cuts).
@@ -187,12 +202,13 @@ class _Search:
         return np.where(inside > _NOTHING, bound, np.inf)
 
     def _divergence(self, reach: Floats, weight: Floats) -> Floats:
-        deviation = np.minimum(1.0, reach / (weight * np.sqrt(self._rarest)))
-        excess = 1.0 + deviation / 3 + deviation**2 * (2 / 3)
-        small = reach**2 * excess / (2 * weight)
-        u = (reach / weight) ** 2
-        large = np.where(u < 3.92, weight * np.log1p(u), 0.8048 * reach)
-        return np.asarray(np.minimum(small, large), np.float64)
+        """The most that m D can be, for a distance of at most *reach* and an m of at least *weight*."""
+        shortfall = np.minimum(1.0, reach / (weight * np.sqrt(self._rarest)))
+        by_taylor = (1.0 + shortfall / 3 + shortfall**2 * (2 / 3)) * reach**2 / (2 * weight)
+        square = (reach / weight) ** 2
+        # Falls with the weight, if that is not smaller still: then it has its summit in between.
+        by_jensen = np.where(square < 3.92, weight * np.log1p(square), 0.805 * reach)
+        return np.asarray(np.minimum(by_taylor, by_jensen), np.float64)
 
 
 def _divided(first: Integers, second: Integers, parts: int, count: int) -> tuple[Integers, Integers]:

@@ -66,9 +66,9 @@ def blocks(level: Level, rows: Integers, rank: Integers, *, merged: bool) -> Blo
             Otherwise each value is a block.
     """
     value, node, y = rank.take(rows), level.node.take(rows), level.y.take(rows)
-    begins = np.concatenate(([True], (value[1:] != value[:-1]) | (node[1:] != node[:-1])))
+    begins = _begins(value) | _begins(node)
     start = np.append(np.flatnonzero(begins), len(rows))
-    lowest = _lowest(node[start[:-1]])
+    lowest = _begins(node[start[:-1]])
     boundary = _boundaries(y, start, lowest)
     if merged:
         kept = boundary | lowest
@@ -77,8 +77,20 @@ def blocks(level: Level, rows: Integers, rank: Integers, *, merged: bool) -> Blo
     return Blocks(rows, start, node[start[:-1]], weight, _below(weight, lowest), lowest, boundary)
 
 
-def _lowest(node: Integers) -> Flags:
-    return np.concatenate(([True], node[1:] != node[:-1]))
+def starts_of_runs(numbers: Integers) -> Integers:
+    """Where each run of equal *numbers* begins."""
+    return np.flatnonzero(_begins(numbers))
+
+
+def sizes_of_runs(starts: Integers, count: int) -> Integers:
+    """The lengths of runs that begin at *starts*, the last one of which ends at *count*."""
+    return np.concatenate((starts[1:], [count])) - starts
+
+
+def _begins(numbers: Integers) -> Flags:
+    begins = np.ones(len(numbers), np.bool_)
+    np.not_equal(numbers[1:], numbers[:-1], out=begins[1:])
+    return begins
 
 
 def _boundaries(y: Integers, start: Integers, lowest: Flags) -> Flags:
@@ -95,7 +107,7 @@ def _boundaries(y: Integers, start: Integers, lowest: Flags) -> Flags:
 
 def _class_weights(start: Integers, y: Integers, weight: Floats, classes: int) -> Floats:
     count = len(start) - 1
-    block = np.repeat(np.arange(count), np.diff(start))
+    block = np.repeat(np.arange(count), start[1:] - start[:-1])
     sums = np.bincount(y * count + block, weight, classes * count)
     return np.asarray(sums.reshape(classes, count), np.float64)
 
@@ -104,4 +116,4 @@ def _below(weight: Floats, lowest: Flags) -> Floats:
     """Running sums that begin anew at every node."""
     before = np.cumsum(weight, axis=1) - weight
     firsts = np.flatnonzero(lowest)
-    return before - np.repeat(before[:, firsts], np.diff(firsts, append=len(lowest)), axis=1)
+    return before - np.repeat(before[:, firsts], sizes_of_runs(firsts, len(lowest)), axis=1)

@@ -72,7 +72,7 @@ def best_in_each(gain: Floats, information: Floats, starts: Integers) -> Integer
     Args:
         starts: Where each group begins; no group is empty.
     """
-    sizes = np.diff(starts, append=len(gain))
+    sizes = np.concatenate((starts[1:], [len(gain)])) - starts
     highest = np.repeat(np.maximum.reduceat(gain, starts), sizes)
     even = np.where(gain >= highest - TOLERANCE, information, -1.0)
     most_even = np.repeat(np.maximum.reduceat(even, starts), sizes)

@@ -15,7 +15,7 @@ import numpy as np
 from ..core.conditions import AtMost, Equals, InArc, Test
 from ..core.vocabulary import FeatureKind
 from .arcs import best_arcs
-from .blocks import Blocks
+from .blocks import Blocks, sizes_of_runs, starts_of_runs
 from .dataset import Column, Flags, Floats, Integers
 from .impurity import NOT_ALLOWED, Whole, best_in_each, gain_and_information
 
@@ -58,14 +58,14 @@ def best_splits(column: Column, found: Blocks, nodes: Whole, least: float) -> Be
 def _values_to_split_off(found: Blocks) -> Integers:
     """Every value of a node; of two only the higher ("true"), since splitting the other off is the same split."""
     firsts = np.flatnonzero(found.lowest)
-    sizes = np.diff(firsts, append=len(found.lowest))
+    sizes = sizes_of_runs(firsts, len(found.lowest))
     several = np.repeat(sizes, sizes)
     return np.flatnonzero((several > 2) | ((several == 2) & ~found.lowest))
 
 
 def _best(candidates: Integers, inside: Floats, found: Blocks, nodes: Whole, least: float) -> Best:
     node = found.node[candidates]
-    starts = np.flatnonzero(np.diff(node, prepend=-1))
+    starts = starts_of_runs(node)
     if not len(starts):
         return _scattered(nodes, starts, np.empty(0), np.empty(0), starts, starts)
     gain, information = gain_and_information(inside, nodes.of(node), least)

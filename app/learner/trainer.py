@@ -6,6 +6,7 @@ the project meanwhile, and decides whether the answer is still wanted.
 
 import hashlib
 import json
+import struct
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 
@@ -219,14 +220,17 @@ def fingerprint(automaton: Automaton, examples: Sequence[Example]) -> str:
         "classifier": settings.classifier,
         "options": {name: float(value) for name, value in settings.options.items()},
         "pruning": settings.pruning_confidence,
-        "examples": sorted(_contents(example, features) for example in kept),
     }
-    return hashlib.sha256(json.dumps(contents, sort_keys=True).encode()).hexdigest()
+    found = hashlib.sha256(json.dumps(contents, sort_keys=True).encode())
+    for record in sorted(_record(example, features) for example in kept):
+        found.update(record)
+    return found.hexdigest()
 
 
-def _contents(example: Example, features: Sequence[str]) -> list[object]:
-    values = [float(example.values[feature]) for feature in features]
-    return [example.source, example.label, example.continuation, float(example.weight), values]
+def _record(example: Example, features: Sequence[str]) -> bytes:
+    words = repr((example.source, example.label, example.continuation))
+    numbers = (example.weight, *(example.values[feature] for feature in features))
+    return words.encode() + struct.pack(f"<{len(numbers)}d", *numbers)
 
 
 def _plain(value: object) -> object:
