@@ -78,7 +78,8 @@ class KernelEngine:
     def _is_free(self, control: Control) -> bool:
         """Whether nobody interferes and nobody listens."""
         heard = self._observed and control.listen
-        return not (control.picks or control.taught or control.still or heard)
+        interfered = control.picks or control.taught or control.still or self.start.physics != "kinematic"
+        return not (interfered or heard)
 
     def _run(self, ticks: int) -> None:
         """Pass ticks in the kernel; if something goes wrong in one, go back and let the reference engine say what."""
