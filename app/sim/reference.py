@@ -10,6 +10,8 @@ from ..core.machine import Action, Classifiers, Leaving, Machine, stored_classif
 from ..core.machine_state import thaw as thaw_machine
 from .engine import FREE, Control, Start
 from .failure import failed
+from .motion import with_rest
+from .physics import physics_of, with_columns
 from .scenario import World
 from .sensing import WorldSenses
 from .world import KEY, TICK, FrozenWorld, freeze, new_world, spans, thaw
@@ -21,13 +23,13 @@ class ReferenceEngine:
     def __init__(
         self, start: Start, leaving: Leaving | None = None, classifiers: Classifiers = stored_classifiers
     ) -> None:
-        if start.physics != "kinematic":
-            raise ScenarioError(f"there is no physics {start.physics!r}; there is: kinematic")
+        start = with_columns(start)
         self.start = start
         self._scenario = start.scenario
         self.world: World = new_world(
             start.scenario, start.parameters, start.hierarchy, start.seed, start.world
         )
+        self.physics = physics_of(start, self.world)
         self.senses = WorldSenses(start.scenario, self.world)
         self.machine = Machine(start.hierarchy, start.types, self.world.clock[KEY], classifiers, leaving)
         if start.top:
@@ -44,8 +46,9 @@ class ReferenceEngine:
         for _ in range(ticks):
             actions = self.machine.tick(self.senses, self.tick, control.picks, control.taught, control.still)
             self._act(actions)
-            for stage in ("resolve", "kinematics", "after_tick"):
-                self._stage(stage)
+            self._stage("resolve")
+            self._move()
+            self._stage("after_tick")
             self.world.clock[TICK] += 1
             control = replace(control, picks={})
 
@@ -60,6 +63,12 @@ class ReferenceEngine:
             except Exception as error:
                 what = f"behavior {action.behavior!r}"
                 raise failed(self._scenario.name, what, function, error) from error
+
+    def _move(self) -> None:
+        if self.physics is None:
+            self._stage("kinematics")
+        else:
+            self.physics.step_plain(self.world)
 
     def _stage(self, name: str, *arguments: float) -> None:
         stage = self._scenario.stages.get(name)
@@ -77,7 +86,9 @@ class ReferenceEngine:
         self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, Any]
     ) -> None:
         """Go back to a copied world, and to what all nodes did then; chance goes on as it did there."""
-        thaw(self.world, world, self._scenario)
+        thaw(self.world, world if self.physics is None else with_rest(world), self._scenario)
+        if self.physics is not None:
+            self.physics.forget()
         self.machine.key = self.world.clock[KEY]
         thaw_machine(self.machine, machine)
 

@@ -72,6 +72,10 @@ writes, so that the order of acting does not matter; what agents want of each ot
 ``resolve``, physics, ``after_tick``. A behavior with ``one_shot`` or ``raises`` runs once; one with ``raises`` raises
 that flag. A target that means nobody gives features their default and makes behaviors idle: no function is called.
 
+**Physics.** ``kinematics`` moves things without contact. A scenario with ``bodies`` (see `Bodies`) can be run with
+``physics=rigid`` as well: then bodies with mass are moved instead, by ``drive`` and ``turn``, contact, walls, joints
+between agents and what they hold, and friction; the other stages stay the same.
+
 **Values.** A boolean feature is 0.0 or 1.0, a categorical one the place of its category, a toroidal one lies in
 [-period/2, period/2). NaN and infinity are errors.
 
@@ -112,6 +116,7 @@ from ..core.vocabulary import (
     Target,
     Vocabulary,
 )
+from .bodies import Bodies, refuse_bad_bodies
 from .columns import STANDARD_COLUMNS, Column, Kind, Per, refuse_bad_columns, refuse_bad_kinds
 from .failure import failed
 from .geometry import clamped, distance, wrapped
@@ -124,6 +129,7 @@ __all__ = [
     "NO_ENTITY",
     "STANDARD_COLUMNS",
     "THE_WORLD",
+    "Bodies",
     "Column",
     "FeatureKind",
     "Kind",
@@ -154,6 +160,7 @@ class Scenario:
         stages: ``reset``, ``resolve``, ``kinematics``, ``after_tick``, ``moved`` -> function, as far as declared.
         measures: Name -> the column with a single entry that holds it.
         checks: Rules across parameters.
+        bodies: What rigid physics has to know; without it there is kinematic physics only.
     """
 
     def __init__(
@@ -165,12 +172,14 @@ class Scenario:
         columns: tuple[Column, ...] = (),
         measures: Mapping[str, str] | None = None,
         doc: str = "",
+        bodies: Bodies | None = None,
     ) -> None:
         self.name = name
         self.title = title
         self.doc = doc
         self.parameters = parameters
         self.kinds = kinds
+        self.bodies = bodies
         self.columns = (*STANDARD_COLUMNS, *columns)
         self.measures = dict(measures or {})
         self.features: dict[str, Callable[..., float]] = {}
@@ -186,6 +195,8 @@ class Scenario:
             refuse_bad_kinds(kinds, self._fields)
             refuse_bad_columns(columns, kinds)
             _refuse_bad_measures(self.measures, self.columns)
+            if bodies is not None:
+                refuse_bad_bodies(bodies, kinds, columns, self._fields)
 
     @property
     def vocabulary(self) -> Vocabulary:

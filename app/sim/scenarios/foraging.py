@@ -6,7 +6,7 @@ from math import atan2, cos, hypot, pi, sin, sqrt, tau
 from ...core.chance import uniform
 from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
 from ..geometry import clamped, distance, wrapped
-from ..scenario import Column, Kind, Per, Scenario, World, quantity
+from ..scenario import Bodies, Column, Kind, Per, Scenario, World, quantity
 
 PLACEMENTS = ("anywhere", "ring")
 RELEASES = ("anyone", "full")
@@ -33,6 +33,10 @@ class Parameters:
     big_pullers: int = quantity(25, "agents", 1, 10_000, doc="agents that a big box needs")
     box_diameter: float = quantity(5.0, "units", 0.1, 1_000.0, doc="for drawing and for contact")
     agent_diameter: float = quantity(1.0, "units", 0.01, 1_000.0, doc="for drawing and for contact")
+    contact: bool = quantity(default=True, doc="rigid worlds: agents bump into each other")
+    reserve: float = quantity(
+        0.5, "pulls", 0.01, 0.99, doc="rigid worlds: how much less than its pullers' joint pull a box gives way to"
+    )
     sight: float = quantity(10.0, "units", 0.0, 100_000.0, doc="boxes are seen within this distance")
     grab_range: float = quantity(5.0, "units", 0.0, 100_000.0, doc="boxes are grabbed within this distance")
     deposit_x: float = quantity(100.0, "units", 0.0, 100_000.0, doc="where the deposit is")
@@ -64,6 +68,18 @@ scenario = Scenario(
     ),
     measures={"boxes": "boxes_delivered", "weight": "weight_delivered"},
     doc="Agents hunt for boxes and pull them to a deposit; a box moves once enough agents pull it together.",
+    bodies=Bodies(
+        loads="box",
+        held="held",
+        needed="needed",
+        speed="step",
+        agent_diameter="agent_diameter",
+        load_diameter="box_diameter",
+        width="width",
+        height="height",
+        contact="contact",
+        reserve="reserve",
+    ),
 )
 
 

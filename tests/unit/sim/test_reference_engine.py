@@ -119,7 +119,7 @@ def test_a_top_behavior_that_is_not_there_is_refused_by_name() -> None:
 
 def test_physics_that_is_not_there_is_refused_by_name() -> None:
     plan = Start(foraging, foraging.settle({}), alone(), types(), seed=1, physics="fluid")
-    with pytest.raises(ScenarioError, match="there is no physics 'fluid'; there is: kinematic"):
+    with pytest.raises(ScenarioError, match="there is no physics 'fluid'; there are: kinematic, rigid"):
         ReferenceEngine(plan)
 
 
