@@ -13,18 +13,26 @@ from .dataset import Flags, Floats, Integers
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Level:
-    """What the examples that are still to be separated have in common for all columns.
+    """What all columns have in common in a level.
 
     Attributes:
-        node: The number of each example's node within the level; only those of open nodes are meant.
-        y, weight: As in the dataset.
+        node: The nodes of the open examples, ascending: whatever the column they are sorted by, this is the same.
+        node_begins: Where another node begins.
+        y: As in the dataset.
+        weight: As in the dataset; None where all weigh 1.
         classes: The number of labels.
     """
 
     node: Integers
+    node_begins: Flags
     y: Integers
-    weight: Floats
+    weight: Floats | None
     classes: int
+
+
+def level_of(node: Integers, y: Integers, weight: Floats, classes: int) -> Level:
+    """The level whose open examples are in these nodes, given in ascending order."""
+    return Level(node, _begins(node), y, weight if np.any(weight != 1.0) else None, classes)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,16 +73,17 @@ def blocks(level: Level, rows: Integers, rank: Integers, *, merged: bool) -> Blo
             highest gain never parts such values (Fayyad and Irani 1992), and neither does a cut of the best arc.
             Otherwise each value is a block.
     """
-    value, node, y = rank.take(rows), level.node.take(rows), level.y.take(rows)
-    begins = _begins(value) | _begins(node)
-    start = np.append(np.flatnonzero(begins), len(rows))
-    lowest = _begins(node[start[:-1]])
+    y = level.y.take(rows)
+    start = np.append(np.flatnonzero(_begins(rank.take(rows)) | level.node_begins), len(rows))
+    lowest = level.node_begins[start[:-1]]
     boundary = _boundaries(y, start, lowest)
     if merged:
         kept = boundary | lowest
         start, lowest, boundary = np.append(start[:-1][kept], len(rows)), lowest[kept], boundary[kept]
-    weight = _class_weights(start, y, level.weight.take(rows), level.classes)
-    return Blocks(rows, start, node[start[:-1]], weight, _below(weight, lowest), lowest, boundary)
+    weight = _class_weights(
+        start, y, None if level.weight is None else level.weight.take(rows), level.classes
+    )
+    return Blocks(rows, start, level.node[start[:-1]], weight, _below(weight, lowest), lowest, boundary)
 
 
 def starts_of_runs(numbers: Integers) -> Integers:
@@ -105,7 +114,7 @@ def _boundaries(y: Integers, start: Integers, lowest: Flags) -> Flags:
     return np.asarray(parts & (previous != np.arange(len(previous))), np.bool_)
 
 
-def _class_weights(start: Integers, y: Integers, weight: Floats, classes: int) -> Floats:
+def _class_weights(start: Integers, y: Integers, weight: Floats | None, classes: int) -> Floats:
     count = len(start) - 1
     block = np.repeat(np.arange(count), start[1:] - start[:-1])
     sums = np.bincount(y * count + block, weight, classes * count)

@@ -23,7 +23,7 @@ import numpy as np
 
 from ..core.conditions import Test
 from ..core.tree import Branch, Leaf, Tree, TreeNode
-from .blocks import Blocks, Level, blocks
+from .blocks import Blocks, blocks, level_of
 from .dataset import Dataset, Floats, Integers
 from .impurity import NOT_ALLOWED, TOLERANCE, whole
 from .splits import ORDERED, Best, best_splits, inside, test_for
@@ -149,8 +149,9 @@ def _grown(
 ) -> _Frontier:
     """Split the nodes of the frontier; return the next one."""
     rows = frontier.sorted_rows[0]
-    totals = _counts(frontier.node[rows], rows, data, len(frontier.numbers))
-    level = Level(frontier.node, data.y, data.weight, len(data.labels))
+    node = frontier.node[rows]
+    totals = _counts(node, rows, data, len(frontier.numbers))
+    level = level_of(node, data.y, data.weight, len(data.labels))
     nodes = whole(totals.T)
     found = [
         blocks(level, rows, rank, merged=column.kind in ORDERED)
