@@ -210,6 +210,56 @@ def run(
 
 @verbs.command(
     epilog=examples(
+        "understudy experiment projects/foraging",
+        "understudy experiment projects/foraging figure3 --runs 10 --ticks 20000",
+        "understudy experiment projects/foraging figure4 --out reports --json",
+    )
+)
+def experiment(
+    project: ProjectFolder,
+    name: Annotated[
+        str | None, typer.Argument(metavar="NAME", help="Which one; without it, all are listed.")
+    ] = None,
+    *,
+    runs: Annotated[
+        int | None,
+        typer.Option(
+            callback=lambda v: v if v is None else at_least(1)(v),
+            help="How many runs an arm.",
+            show_default="the experiment's",
+        ),
+    ] = None,
+    ticks: Annotated[
+        int | None,
+        typer.Option(
+            callback=lambda v: v if v is None else at_least(1)(v),
+            help="How long a run takes.",
+            show_default="the experiment's",
+        ),
+    ] = None,
+    jobs: Jobs = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Where results, report and figures go.", show_default="PROJECT/results"
+        ),
+    ] = None,
+    dark: Dark = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Run what an experiment compares, many times, and say which of its claims hold.
+
+    Results are kept as each run ends: after Ctrl-C, or worse, the same command goes on where it was. An experiment is a
+    file PROJECT/experiments/NAME.json.
+    """
+    from .experiment import Request, run_experiment
+
+    return run_experiment(Request(project, name, runs, ticks, jobs, out, dark, trust), as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
         "understudy demonstrate projects/foraging --check",
         "understudy demonstrate my-project Goto",
     )

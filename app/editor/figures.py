@@ -13,6 +13,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from ..core.errors import UnderstudyError
+from .curves import Chart
 
 #: File endings that can be drawn.
 FORMATS = (".png", ".svg", ".pdf")
@@ -104,7 +105,7 @@ def refuse_format(path: Path) -> None:
         raise FigureError(f"{path}: pictures end in {', '.join(FORMATS)}")
 
 
-def draw(figure: Figure, path: Path, *, dark: bool = False) -> None:
+def draw(figure: Figure | Chart, path: Path, *, dark: bool = False) -> None:
     """Draw *figure* into the file at *path*; its ending chooses the format.
 
     Raises:
@@ -117,7 +118,7 @@ def draw(figure: Figure, path: Path, *, dark: bool = False) -> None:
         raise FigureError(f"{path}: cannot be written: {error.strerror or error}") from error
 
 
-def _painted(figure: Figure, ending: str, *, dark: bool) -> bytes:
+def _painted(figure: Figure | Chart, ending: str, *, dark: bool) -> bytes:
     """The content of the file, made in a process of its own: Qt ends the process that it cannot start in."""
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as process:
         try:
@@ -129,9 +130,13 @@ def _painted(figure: Figure, ending: str, *, dark: bool) -> bytes:
     return content
 
 
-def _paint(figure: Figure, ending: str, dark: bool) -> tuple[bytes, str]:  # noqa: FBT001 - passed by position
+def _paint(figure: Figure | Chart, ending: str, dark: bool) -> tuple[bytes, str]:  # noqa: FBT001 - by position
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     try:
+        if isinstance(figure, Chart):
+            from .curve_painting import painted as charted  # noqa: PLC0415 - see the module's docstring
+
+            return charted(figure, ending, dark=dark), ""
         from .painting import painted  # noqa: PLC0415 - see the module's docstring
     except ImportError as error:
         return b"", f"Qt cannot be loaded ({error})"

@@ -3,19 +3,14 @@
 from collections.abc import Sequence
 from math import ceil, floor, log10
 
-from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageSize, QPaintDevice, QPainter, QPdfWriter, QPen
-from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPen
 
 from .brush import Brush, text_width
+from .canvas import Canvas
 from .figures import Body, Figure, Series, Walker
-from .palette import DARK, LIGHT, Palette
 from .world_painting import CAPTION, paint_body, paint_cross, paint_walker, paint_world
 
-#: A unit of layout is a pixel of CSS.
-PIXELS_PER_INCH = 96
-#: Pixels of a PNG to a unit of layout: sharp on dense screens.
-SCALE = 2
 WIDTH, MARGIN, GAP = 1200.0, 32.0, 24.0
 HEADER, CHART, LEGEND = 82.0, 330.0, 34.0
 #: Room for numbers left of the chart, for its titles above and below, and at most for names right of it.
@@ -25,47 +20,8 @@ WORLDS_ABREAST = 3
 
 def painted(figure: Figure, ending: str, *, dark: bool = False) -> bytes:
     """*figure* as the content of a file with this ending: ".png", ".svg" or ".pdf"."""
-    application = QGuiApplication.instance() or QGuiApplication(["understudy"])
-    size = QSizeF(WIDTH, height_of(figure))
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    {".png": _png, ".svg": _svg, ".pdf": _pdf}[ending](figure, size, buffer, DARK if dark else LIGHT)
-    del application  # Qt needs it to exist until here
-    return bytes(buffer.data().data())
-
-
-def _png(figure: Figure, size: QSizeF, buffer: QBuffer, palette: Palette) -> None:
-    image = QImage((size * SCALE).toSize(), QImage.Format.Format_RGB32)
-    image.setDevicePixelRatio(SCALE)
-    _paint(figure, image, size, palette)
-    image.save(buffer, "PNG")  # type: ignore[call-overload] # the stubs ask for bytes, Qt for text
-
-
-def _svg(figure: Figure, size: QSizeF, buffer: QBuffer, palette: Palette) -> None:
-    generator = QSvgGenerator()
-    generator.setOutputDevice(buffer)
-    generator.setSize(size.toSize())
-    generator.setViewBox(QRectF(QPointF(), size))
-    generator.setResolution(PIXELS_PER_INCH)
-    generator.setTitle(figure.title)
-    _paint(figure, generator, size, palette)
-
-
-def _pdf(figure: Figure, size: QSizeF, buffer: QBuffer, palette: Palette) -> None:
-    writer = QPdfWriter(buffer)
-    writer.setResolution(PIXELS_PER_INCH)
-    writer.setPageSize(QPageSize(size * (72 / PIXELS_PER_INCH), QPageSize.Unit.Point))
-    writer.setPageMargins(QMarginsF())
-    writer.setTitle(figure.title)
-    _paint(figure, writer, size, palette)
-
-
-def _paint(figure: Figure, device: QPaintDevice, size: QSizeF, palette: Palette) -> None:
-    painter = QPainter(device)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.fillRect(QRectF(QPointF(), size), QColor(palette.panel))
-    paint_figure(Brush(painter, palette), figure)
-    painter.end()
+    canvas = Canvas(figure.title, WIDTH, lambda: height_of(figure), lambda brush: paint_figure(brush, figure))
+    return canvas.content(ending, dark=dark)
 
 
 # -------------------------------------------------------------------------------------------------------- layout

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
+from app.editor.canvas import SCALE
 from app.editor.figures import Body, Figure, Series, Walker, WorldView
-from app.editor.painting import SCALE, WIDTH, apart, height_of, painted, steps
+from app.editor.painting import WIDTH, apart, height_of, painted, steps
 from app.editor.palette import DARK, LIGHT
 
 WORLD = WorldView(

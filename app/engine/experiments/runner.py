@@ -14,7 +14,7 @@ import numpy as np
 
 from ...core.project import Project
 from ...sim.engine import Engine, Start
-from ...sim.engines import make_engine
+from ...sim.engines import Notice, make_engine
 from ...sim.scenario import Scenario
 from ..runs import STALLED_PART, Treatment, slices
 from .plan import Cell, Experiment
@@ -102,16 +102,18 @@ def carry_out(
     jobs: int,
     tell: Tell = lambda _: None,
     controls: Controls | None = None,
+    notice: Notice = lambda _: None,
 ) -> bool:
     """Make all runs that are missing in *results*; false if that was cancelled before the end.
 
     Args:
         jobs: Runs at a time.
+        notice: Told in a few words what takes long besides the runs.
 
     Raises:
         UnderstudyError: A run could not be made, or not be kept. Whatever ends it, finished runs are kept.
     """
-    crew = _Crew(project, scenario, experiment, results, controls or Controls())
+    crew = _Crew(project, scenario, experiment, results, controls or Controls(), notice)
     with ThreadPoolExecutor(jobs, thread_name_prefix="run") as pool:
         try:
             crew.work(pool, jobs, tell)
@@ -131,8 +133,10 @@ class _Crew:
         experiment: Experiment,
         results: Results,
         controls: Controls,
+        notice: Notice,
     ) -> None:
         self.controls = controls
+        self._notice = notice
         self._experiment = experiment
         self._results = results
         self._treatments = Treatments(project, scenario, experiment)
@@ -188,8 +192,8 @@ class _Crew:
         cell, run = underway.cell, underway.run
         ready = self._treatments.of(cell, run)
         seed = self._experiment.seed_of(cell.number, run)
+        engine = _started(ready.treatment, seed, self._notice)
         began = time.perf_counter()
-        engine = _started(ready.treatment, seed)
         curves = self._curves(engine, underway)
         if curves is None:
             return None
@@ -210,12 +214,12 @@ class _Crew:
         return samples
 
 
-def _started(of: Treatment, seed: int) -> Engine:
+def _started(of: Treatment, seed: int, notice: Notice) -> Engine:
     types = of.project.types_with(of.scenario.vocabulary)
     start = Start(
         of.scenario, of.parameters, of.arm.forest(), types, seed, top=of.arm.top, physics=of.physics
     )
-    return make_engine(start, None, of.classifiers)
+    return make_engine(start, None, of.classifiers, notice=notice)
 
 
 def _row(

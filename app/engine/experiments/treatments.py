@@ -75,27 +75,28 @@ class Treatments:
         Raises:
             UnderstudyError: A setting names nothing, or its value is not allowed.
         """
-        with self._lock:
-            if cell.number in self._ready:
-                return self._ready[cell.number]
-            ready = self._made(cell, run)
-            if sorted_settings(cell.settings).lesson is None:
-                self._ready[cell.number] = ready
-            return ready
-
-    def _made(self, cell: Cell, run: int) -> Ready:
-        project, arm = changed(self._project, cell.project_arm, cell.settings)
         wanted = sorted_settings(cell.settings)
+        with self._lock:  # a flat automaton is watched, and a treatment made, by one thread while the others wait
+            if cell.number not in self._ready:
+                self._ready[cell.number] = self._prepared(cell, wanted)
+        ready = self._ready[cell.number]
+        return ready if wanted.lesson is None else self._taught(ready.treatment, wanted.lesson, run)
+
+    def _prepared(self, cell: Cell, wanted: Sorted) -> Ready:
+        """What all runs of a cell have in common."""
+        project, arm = changed(self._project, cell.project_arm, cell.settings)
         if wanted.flat:
             project, arm = with_flat(project, arm, self._flat(project, arm))
-        counts: Mapping[str, float] = {}
-        if wanted.lesson is not None:
-            new = relearned(
-                project, self._scenario.vocabulary, arm, wanted.lesson, self._experiment.seed, run
-            )
-            project, counts = new.project, {"picks": new.picks, "examples": new.examples}
         models = classifiers(project, self._scenario.vocabulary)
-        return Ready(treatment(project, self._scenario, arm, wanted.scenario, None, models), counts)
+        return Ready(treatment(project, self._scenario, arm, wanted.scenario, None, models))
+
+    def _taught(self, common: Treatment, lesson: Lesson, run: int) -> Ready:
+        """The same with behaviors learned anew for this run."""
+        vocabulary, seed = self._scenario.vocabulary, self._experiment.seed
+        new = relearned(common.project, vocabulary, common.arm, lesson, seed, run)
+        models = classifiers(new.project, vocabulary)
+        counts = {"picks": float(new.picks), "examples": float(new.examples)}
+        return Ready(replace(common, project=new.project, classifiers=models), counts)
 
     def _flat(self, project: Project, arm: Arm) -> Flat:
         if arm.name not in self._flats:
@@ -170,7 +171,7 @@ def changed(project: Project, arm_name: str, settings: Settings) -> tuple[Projec
         UnderstudyError: A setting names nothing, or its value is not allowed.
     """
     arm = project.arm(arm_name)
-    for key, value in settings.items():
+    for key, value in sorted(settings.items()):  # rules before what uses the behaviors that they are of
         kind, _, name = key.partition(".")
         if key == "world":
             arm = replace(arm, world=str(value))
