@@ -11,15 +11,21 @@ from tests.foragers import alone, start
 class Arena:
     """Agents begin in a row at the bottom, boxes in the corner at the top right, the deposit is in the middle."""
 
+    APART = 1.0
+
     def __init__(self, agents: int | Hierarchy = 1, seed: int = 1, **parameters: Any) -> None:
         forest = alone(agents) if isinstance(agents, int) else agents
-        self.engine = ReferenceEngine(start(forest, seed=seed, **({"boxes": 1} | parameters)))
+        self.engine = self.make(forest, seed, {"boxes": 1} | parameters)
         self.world = self.engine.world
         self.names = [node.id for node in forest.agents()]
         for agent in range(self.world.agents):
-            self.place(agent, 20.0 + agent, 20.0)
+            self.place(agent, 20.0 + self.APART * agent, 20.0)
         for box in range(self.world.end_box - self.world.first_box):
             self.place_box(box, 200.0, 200.0)
+
+    def make(self, forest: Hierarchy, seed: int, parameters: dict[str, Any]) -> ReferenceEngine:
+        """The engine that is tested."""
+        return ReferenceEngine(start(forest, seed=seed, **parameters))
 
     def place(self, agent: int, x: float, y: float, heading: float = 0.0) -> None:
         """Put an agent somewhere, looking to *heading* in degrees, 0 along x, counterclockwise."""

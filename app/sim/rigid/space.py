@@ -25,7 +25,8 @@ OVERLAP_LEFT = 0.8
 SLOP_SHARE = 0.02
 #: Of what a stretched pivot is stretched by, after a tick.
 STRETCH_LEFT = 0.5
-ITERATIONS = 20
+#: How often forces are evened out in a tick, and in the first one, when none are remembered from the tick before.
+ITERATIONS, FIRST_ITERATIONS = 10, 60
 _AGENT, _LOAD, _WALL = 1, 2, 4
 _EVERYTHING = batch.BodyFields.BODY_ID | batch.BodyFields.POSITION | batch.BodyFields.ANGLE
 FIELDS = (
@@ -173,6 +174,7 @@ class Space:
         self._out[self._rows] = self.state
         batch.set_space_bodies(self._space, FIELDS, self._writer)
         self._space.step(1.0)
+        self._space.iterations = ITERATIONS
         self._reader.clear()
         batch.get_space_bodies(self._space, FIELDS, self._reader)
         self.state[:] = self._in[self._rows]
@@ -182,7 +184,7 @@ class Space:
 def _empty(sizes: Sizes) -> pymunk.Space:
     """The walls."""
     space = pymunk.Space()
-    space.iterations = ITERATIONS
+    space.iterations = FIRST_ITERATIONS
     space.collision_bias = OVERLAP_LEFT
     space.collision_slop = SLOP_SHARE * sizes.agent_radius
     thick = 4.0 * max(sizes.load_radius, sizes.agent_radius)
