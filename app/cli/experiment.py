@@ -19,6 +19,7 @@ from ..engine.experiments.report import (
     claim_rows,
     document,
     markdown,
+    words_in_arms,
 )
 from ..engine.experiments.runner import Progress, carry_out
 from ..engine.experiments.store import Results, ResultsError
@@ -177,8 +178,7 @@ def _command(request: Request, experiment: Experiment) -> str:
 
 def _show(found: Findings, files: Files) -> None:
     show(f"{found.experiment.title}\n")
-    factors = len(found.experiment.factors)
-    show_table(arm_columns(found), arm_rows(found), words=1 + factors)
+    show_table(arm_columns(found), arm_rows(found), words_in_arms(found.experiment))
     if found.claims:
         show()
         show_table(claim_columns(found), claim_rows(found), words=len(claim_columns(found)))

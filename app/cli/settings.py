@@ -7,7 +7,9 @@ from ..core.project import Value
 from ..sim.scenario import Scenario
 from .wording import unknown
 
-WORLD, PHYSICS = "world.", "physics"
+WORLD = "world."
+#: Settings that are words, and no parameters of a scenario.
+OTHERS = ("physics", "engine")
 _BOOLEANS: Mapping[str, Value] = {"true": True, "false": False}
 
 
@@ -31,11 +33,11 @@ def parsed(given: Sequence[str], scenario: Scenario) -> Mapping[str, Value]:
 
 def _value(name: str, text: str, scenario: Scenario) -> Value:
     known = scenario.defaults()
-    if name == PHYSICS:
+    if name in OTHERS:
         return text
     if not name.startswith(WORLD) or name.removeprefix(WORLD) not in known:
         raise ParameterError(
-            unknown("setting", name, [PHYSICS, *(WORLD + known_one for known_one in sorted(known))])
+            unknown("setting", name, [*OTHERS, *(WORLD + known_one for known_one in sorted(known))])
         )
     return _as(known[name.removeprefix(WORLD)], text)
 

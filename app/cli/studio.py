@@ -108,7 +108,7 @@ def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, s
         show_table(("", "", *done[0][1].measures, "stalled"), rows(done), words=2)
         total = sum(len(arm.forest().agents()) * result.ticks for arm, result in done)
         show(
-            f"\none run of {counted(ticks, 'tick')} each (seed {seed}), in plain Python: {seconds:.1f} s, "
+            f"\none run of {counted(ticks, 'tick')} each (seed {seed}): {seconds:.1f} s, "
             f"{total / seconds:,.0f} agent ticks a second"
         )
     if ran.interrupted:

@@ -20,10 +20,10 @@ from .exits import FELL_SHORT
 
 #: Seconds between looks at how far the processes are.
 GLANCE = 0.1
-#: A run tells how far it is, and heeds Ctrl-C, at least once in so many ticks.
-LONGEST_SLICE = 500
-#: Points of a run's curve at least.
-POINTS = 100
+#: A run tells how far it is, and heeds Ctrl-C, once in so many ticks.
+SLICE = 500
+#: Points of a run's curve, at least and at most.
+FEWEST_POINTS, MOST_POINTS = 100, 100_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +92,7 @@ def make_run(
     bench: Bench, plan: Plan, progress: Callable[[int], None], cancelled: Callable[[], bool] = lambda: False
 ) -> RunResult:
     """Make one run, here and now."""
-    points = max(POINTS, -(-plan.ticks // LONGEST_SLICE))
+    points = min(max(FEWEST_POINTS, plan.ticks // SLICE), MOST_POINTS)
     return run(_settled(bench, plan), plan.seed, plan.ticks, points, progress, cancelled)
 
 

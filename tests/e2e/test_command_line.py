@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from app.cli.verbs import NAMES, STUDIO
 from tests.unit.cli.foraging import project, stored, taught
 
 ROOT = Path(__file__).parents[2]
@@ -70,15 +71,12 @@ def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
 
 
 def test_a_run_without_a_picture_imports_no_qt(boxes: Path) -> None:
-    assert (
-        imported_by("run", str(boxes), "--ticks", "2") & {"PySide6", "pyqtgraph", "sklearn", "numba"} == set()
-    )
+    assert imported_by("run", str(boxes), "--ticks", "2") & {"PySide6", "pyqtgraph", "sklearn"} == set()
 
 
-def test_help_names_only_verbs_that_exist() -> None:
+def test_help_names_every_verb_but_the_one_that_is_meant_without_any() -> None:
     said = understudy("--help").stdout
-    assert all(verb in said for verb in ("new", "check", "train", "run", "demonstrate", "doctor"))
-    assert not any(verb in said for verb in ("experiment", "export", "bench", "studio "))
+    assert [name for name in NAMES if f" {name} " not in said] == [STUDIO]
 
 
 # --------------------------------------------------------------------------------------------------- exit codes
@@ -171,7 +169,7 @@ def running(boxes: Path, jobs: str) -> Iterator[tuple[subprocess.Popen[bytes], i
     """Two endless runs on a terminal of their own. The terminal ends once no process holds it any more."""
     ours, theirs = os.openpty()
     started = subprocess.Popen(
-        command("run", boxes, "--ticks", "10000000", "--runs", "2", "--jobs", jobs),
+        command("run", boxes, "--ticks", "30000000", "--runs", "2", "--jobs", jobs),
         stdout=subprocess.DEVNULL,
         stderr=theirs,
         env=environment(TERM="xterm", COLUMNS="80"),
