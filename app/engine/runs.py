@@ -7,7 +7,7 @@ from ..core.errors import ParameterError
 from ..core.machine import Classifiers, Leaving, stored_classifiers
 from ..core.project import Arm, Project, Value
 from ..sim.engine import Engine, Start
-from ..sim.reference import ReferenceEngine
+from ..sim.engines import AUTO, Notice, make_engine
 from ..sim.scenario import Scenario
 from ..sim.world import FrozenWorld
 
@@ -32,6 +32,7 @@ class Treatment:
     parameters: Mapping[str, Value]
     physics: str = "kinematic"
     classifiers: Classifiers = stored_classifiers
+    engine: str = AUTO
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,33 +72,47 @@ def treatment(
     """Settle an arm's parameters.
 
     Args:
-        settings: What the user set for these runs: ``world.NAME`` for parameters of the scenario, ``physics``.
+        settings: What the user set for these runs: ``world.NAME`` for parameters of the scenario, ``physics``, and
+            ``engine``, see `app.sim.engines`.
         top: Another behavior for the roots than the arm's.
 
     Raises:
         ParameterError: A setting is unknown or out of its range.
     """
-    world, physics = {}, "kinematic"
+    world: dict[str, Value] = {}
+    ours: dict[str, str] = {"physics": "kinematic", "engine": AUTO}
     for key, value in (settings or {}).items():
         if key.startswith("world."):
             world[key.removeprefix("world.")] = value
-        elif key == "physics":
-            physics = str(value)
+        elif key in ours:
+            ours[key] = str(value)
         else:
             raise ParameterError(
-                f"there is no setting {key!r}; there are: physics, world.NAME (see the scenario)"
+                f"there is no setting {key!r}; there are: {', '.join(ours)}, world.NAME (see the scenario)"
             )
     parameters = scenario.settle({**project.parameters_of(arm), **world})
     arm = arm if top is None else replace(arm, top=top)
-    return Treatment(project, scenario, arm, parameters, physics, classifiers)
+    return Treatment(project, scenario, arm, parameters, ours["physics"], classifiers, ours["engine"])
 
 
-def start_engine(of: Treatment, seed: int, leaving: Leaving | None = None, *, idle: bool = False) -> Engine:
-    """A world of the treatment, its roots running the arm's top behavior unless *idle*."""
+def start_engine(
+    of: Treatment,
+    seed: int,
+    leaving: Leaving | None = None,
+    *,
+    idle: bool = False,
+    notice: Notice | None = None,
+) -> Engine:
+    """A world of the treatment, its roots running the arm's top behavior unless *idle*.
+
+    Args:
+        leaving: Told of every change of state at the top of a node, before it happens.
+        notice: Told in a few words what takes long, such as compiling.
+    """
     types = of.project.types_with(of.scenario.vocabulary)
     top = "" if idle else of.arm.top
     start = Start(of.scenario, of.parameters, of.arm.forest(), types, seed, top=top, physics=of.physics)
-    return ReferenceEngine(start, leaving, of.classifiers)
+    return make_engine(start, leaving, of.classifiers, of.engine, notice)
 
 
 def run(

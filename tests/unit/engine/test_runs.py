@@ -45,7 +45,7 @@ def test_settings_go_over_the_arms_parameters_those_over_its_world_and_that_over
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"boxes": 3}, "there is no setting 'boxes'; there are: physics, world.NAME"),
+        ({"boxes": 3}, "there is no setting 'boxes'; there are: physics, engine, world.NAME"),
         ({"world.walls": 3}, "scenario 'foraging' has no parameter 'walls'; there are: "),
         ({"world.boxes": -3}, "boxes must be 0 or more, but it is -3"),
         ({"world.big_boxes": 7}, "big_boxes must be 6 or less, as many as there are boxes, but it is 7"),
