@@ -1,17 +1,15 @@
 """One tick of rigid physics on a world's columns."""
 
-from typing import Any
-
 import numpy as np
 
 from ..bodies import Bodies
 from ..geometry import wrapped
 from ..motion import MOTION_COLUMNS, Arrays
 from ..scenario import Scenario, World
-from .space import AGENT_MASS, Sizes, Space
+from .space import AGENT_MASS, WIDTH, Flags, Floats, Sizes, Space, Wholes
 
 #: Every so many ticks the space is built anew, so that runs which begin at such a tick go on as the others do.
-KEYFRAME = 120
+KEYFRAME = 240
 _READ = ("clock", "x", "y", "heading", "drive", "turn", *(column.name for column in MOTION_COLUMNS))
 _WRITTEN = ("x", "y", "heading", *(column.name for column in MOTION_COLUMNS))
 _TICK = 2
@@ -24,10 +22,10 @@ class RigidPhysics:
         """Make bodies for a world of this shape; where they are is read from the columns of each step."""
         assert scenario.bodies is not None
         self._bodies = bodies = scenario.bodies
-        self._sizes = sizes_of(bodies, world)
+        self._sizes = sizes = sizes_of(bodies, world)
         self._first = int(getattr(world, f"first_{bodies.loads}"))
-        loads = np.arange(self._first, self._first + self._sizes.loads)
-        self._entities = np.concatenate([np.arange(self._sizes.agents), loads])
+        self._loads = slice(self._first, self._first + sizes.loads)
+        self._entities = entities_of(sizes.agents, self._loads)
         self._space: Space | None = None
 
     def forget(self) -> None:
@@ -44,23 +42,31 @@ class RigidPhysics:
 
     def step(self, arrays: Arrays) -> None:
         """Move the bodies: what agents want, contact, joints and friction decide where to."""
-        agents, loads = self._sizes.agents, self._sizes.loads
-        if agents + loads == 0:
+        agents = self._sizes.agents
+        if agents + self._sizes.loads == 0:
             return
         self._turn(arrays)
-        drive = arrays["drive"][:agents]
-        held = arrays[self._bodies.held][:agents]
-        held = np.where(held < 0, -1, held - self._first)
-        powered = (held < 0) | (drive != 0.0)
         state = self._read(arrays)
-        space = self._current(arrays, state, held, powered)
-        space.state[: agents + loads] = state
-        wishes = space.state[agents + loads :]
-        heading = arrays["heading"][:agents]
-        wishes[:, 3] = drive * np.cos(heading)
-        wishes[:, 4] = drive * np.sin(heading)
+        drive, heading = arrays["drive"][:agents], arrays["heading"][:agents]
+        wishes = np.empty((agents, 2))
+        np.multiply(drive, np.cos(heading), out=wishes[:, 0])
+        np.multiply(drive, np.sin(heading), out=wishes[:, 1])
+        held = arrays[self._bodies.held][:agents]
+        self._drive(state, wishes, held < 0)
+        space = self._current(arrays, state, np.where(held < 0, -1, held - self._first), drive != 0.0)
+        space.state[:] = state
+        space.wishes[:] = wishes
         space.step()
         self._write(arrays, space.state)
+
+    def _drive(self, state: Floats, wishes: Floats, free: Flags) -> None:
+        """Bring agents that hold nothing nearer to the velocities that they want, as far as their force goes."""
+        velocity = state[: self._sizes.agents, 3:5]
+        change = wishes - velocity
+        size = np.sqrt(change[:, 0] * change[:, 0] + change[:, 1] * change[:, 1])
+        most = self._sizes.pull / AGENT_MASS
+        share = np.where(size > most, most / np.maximum(size, most), 1.0) * free
+        velocity += change * share[:, None]
 
     def _turn(self, arrays: Arrays) -> None:
         """Agents turn as they want to: nothing holds them."""
@@ -68,10 +74,10 @@ class RigidPhysics:
         for agent in np.flatnonzero(turn[: self._sizes.agents]).tolist():
             heading[agent] = wrapped(float(heading[agent]) + float(turn[agent]))
 
-    def _read(self, arrays: Arrays) -> Any:
+    def _read(self, arrays: Arrays) -> Floats:
         """Where agents and loads are, and how they move; what was put somewhere else has stopped."""
         entities, agents = self._entities, self._sizes.agents
-        state = np.empty((len(entities), 6))
+        state = np.empty((agents + self._sizes.loads, WIDTH))
         for place, name in enumerate(("x", "y", "heading", "velocity_x", "velocity_y", "spin")):
             state[:, place] = arrays[name][entities]
         state[:agents, 2] = 0.0
@@ -81,27 +87,34 @@ class RigidPhysics:
             self.forget()
         return state
 
-    def _current(self, arrays: Arrays, state: Any, held: Any, powered: Any) -> Space:
+    def _current(self, arrays: Arrays, state: Floats, held: Wholes, powered: Flags) -> Space:
         """The space, built anew if it is time to."""
         if self._space is None or arrays["clock"][_TICK] % KEYFRAME == 0:
-            needed = arrays[self._bodies.needed][self._entities[self._sizes.agents :]]
+            needed = arrays[self._bodies.needed][self._loads].astype(np.int64)
             self._space = Space(self._sizes, state, needed, held, powered)
         else:
-            self._space.attach(held)
-            self._space.power(powered)
+            self._space.attach(state, held, powered)
         return self._space
 
-    def _write(self, arrays: Arrays, state: Any) -> None:
+    def _write(self, arrays: Arrays, state: Floats) -> None:
         """Put what came of it into the columns; nothing is outside of the walls."""
         sizes, entities = self._sizes, self._entities
-        x = np.minimum(np.maximum(state[: len(entities), 0], 0.0), sizes.width)
-        y = np.minimum(np.maximum(state[: len(entities), 1], 0.0), sizes.height)
-        arrays["x"][entities] = arrays["left_x"][entities] = x
-        arrays["y"][entities] = arrays["left_y"][entities] = y
+        arrays["x"][entities] = arrays["left_x"][entities] = _within(state[:, 0], sizes.width)
+        arrays["y"][entities] = arrays["left_y"][entities] = _within(state[:, 1], sizes.height)
         for place, name in ((3, "velocity_x"), (4, "velocity_y"), (5, "spin")):
-            arrays[name][entities] = state[: len(entities), place]
-        for row in range(sizes.agents, len(entities)):
-            arrays["heading"][entities[row]] = wrapped(float(state[row, 2]))
+            arrays[name][entities] = state[:, place]
+        arrays["heading"][self._loads] = [wrapped(angle) for angle in state[sizes.agents :, 2].tolist()]
+
+
+def _within(places: Floats, high: float) -> Floats:
+    return np.minimum(np.maximum(places, 0.0), high)
+
+
+def entities_of(agents: int, loads: slice) -> slice | Wholes:
+    """The entities that are bodies: agents come first in a world, and loads are the kind after them or a later one."""
+    if loads.start == agents:
+        return slice(0, loads.stop)
+    return np.concatenate([np.arange(agents), np.arange(loads.start, loads.stop)])
 
 
 def sizes_of(bodies: Bodies, world: World) -> Sizes:

@@ -1,15 +1,16 @@
 """A pymunk space built from a world's columns.
 
-* An agent is a disc that drives: a joint of bounded force holds it to a body that moves as the agent wants to. The force,
-  its pull, is what brings it to its speed within one tick. Nothing turns agents but themselves: contact is smooth.
+* An agent is a disc that drives: a bounded force, its pull, brings it to the velocity that it wants within one tick. Nothing
+  turns agents but themselves: contact is smooth.
 * A load is a disc, as heavy as the agents that it needs, held to the ground by joints of bounded force, which are its
   friction: against sliding (needed - reserve) pulls, against turning 2/3 of the radius times that, as of a disc that
   presses evenly on the ground.
-* An attached agent hangs on a pivot at its center. While it does not drive, it is carried without resisting.
+* An attached agent hangs on a pivot at its center, and its pull is in a joint too, so that it goes through the pivot at its
+  full strength. While it does not drive, it is carried without resisting.
 """
 
 from dataclasses import dataclass
-from typing import Any
+from math import cos, sin
 
 import numpy as np
 import pymunk
@@ -28,7 +29,6 @@ STRETCH_LEFT = 0.5
 #: How often forces are evened out in a tick, and in the first one, when none are remembered from the tick before.
 ITERATIONS, FIRST_ITERATIONS = 10, 60
 _AGENT, _LOAD, _WALL = 1, 2, 4
-_EVERYTHING = batch.BodyFields.BODY_ID | batch.BodyFields.POSITION | batch.BodyFields.ANGLE
 FIELDS = (
     batch.BodyFields.POSITION
     | batch.BodyFields.ANGLE
@@ -40,6 +40,7 @@ WIDTH = 6
 
 Floats = NDArray[np.float64]
 Wholes = NDArray[np.int64]
+Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,50 +64,49 @@ class Sizes:
 
 
 class Space:
-    """Bodies in the order agents, loads, and what each agent wants to move like.
+    """Agents, then loads, then for each agent a body that moves as it wants to.
 
     Attributes:
-        state: A row for each body, see `WIDTH`; `step` takes it to the next tick.
+        state: A row for each agent and load, see `WIDTH`; `step` takes it to the next tick.
+        wishes: For each agent the velocity that it wants, along x and y.
     """
 
-    def __init__(self, sizes: Sizes, state: Floats, needed: Wholes, held: Wholes, powered: Any) -> None:
+    def __init__(self, sizes: Sizes, state: Floats, needed: Wholes, held: Wholes, powered: Flags) -> None:
         """Build it.
 
         Args:
             state: Rows for agents and loads.
             needed: For each load.
             held: For each agent, the number of its load among the loads, or -1.
-            powered: For each agent, whether it drives or stands on its own.
+            powered: For each agent, whether it drives.
         """
         self._sizes = sizes
         self._space = _empty(sizes)
-        self._loads: list[pymunk.Body] = []
-        self._agents = [self._disc(AGENT_MASS, sizes.agent_radius, row) for row in state[: sizes.agents]]
-        for load in range(sizes.loads):
-            mass = MASS_NEEDED * float(needed[load])
-            self._loads.append(self._disc(mass, sizes.load_radius, state[sizes.agents + load], load=True))
-            self._lay_down(self._loads[load], float(needed[load]))
-        self._motors = [self._motor(agent) for agent in self._agents]
-        self._pivots: list[pymunk.PivotJoint | None] = [None] * sizes.agents
-        self._held, self._powered = np.full(sizes.agents, -1, np.int64), np.ones(sizes.agents, bool)
-        self._open_buffers()
-        self.attach(held)
-        self.power(powered)
+        agents, bodies = sizes.agents, sizes.agents + sizes.loads
+        self._agents = [self._disc(AGENT_MASS, sizes.agent_radius, row) for row in state[:agents]]
+        self._loads = [
+            self._disc(MASS_NEEDED * float(n), sizes.load_radius, row, load=True)
+            for n, row in zip(needed, state[agents:], strict=True)
+        ]
+        for load, n in zip(self._loads, needed, strict=True):
+            self._lay_down(load, float(n))
+        self._wishes = [pymunk.Body(body_type=pymunk.Body.KINEMATIC) for _ in self._agents]
+        self._space.add(*self._wishes)
+        self._open_buffers(bodies)
+        self._hanging: dict[int, tuple[pymunk.PivotJoint, pymunk.PivotJoint]] = {}
+        self._held, self._powered = np.full(agents, -1, np.int64), np.zeros(agents, bool)
+        self.attach(state, held, powered)
 
-    def _open_buffers(self) -> None:
-        """Room for the batch calls, and the order in which they go through the bodies."""
-        order = batch.Buffer()
-        batch.get_space_bodies(self._space, batch.BodyFields.BODY_ID, order)
-        ids = list(memoryview(order.int_buf()).cast("P"))
-        place = {identity: k for k, identity in enumerate(ids)}
-        wanted = [body.id for body in (*self._agents, *self._loads, *(m.a for m in self._motors))]
-        self._rows = np.array([place[identity] for identity in wanted], np.intp)
-        self._in_order = bool((self._rows == np.arange(len(wanted))).all())
-        self.state = np.zeros((len(wanted), WIDTH))
-        self._out, self._in = np.zeros((len(ids), WIDTH)), np.zeros((len(ids) + 1, WIDTH))
+    def _open_buffers(self, bodies: int) -> None:
+        """Room for the batch calls, which go through the bodies in the order in which they were added."""
+        agents = self._sizes.agents
+        everyone = len(self._space.bodies) + 1  # with the ground
+        self._out, self._in = np.zeros((everyone, WIDTH)), np.zeros((everyone + 1, WIDTH))
         self._writer, self._reader = batch.Buffer(), batch.Buffer()
         self._writer.set_float_buf(self._out)
         self._reader.set_float_buf(self._in)
+        self.state, self.wishes = self._out[:bodies], self._out[bodies : bodies + agents, 3:5]
+        self._after = self._in[:bodies]
 
     # ---------------------------------------------------------------------------------------------- bodies
 
@@ -121,14 +121,6 @@ class Space:
         self._space.add(body, shape)
         return body
 
-    def _motor(self, agent: pymunk.Body) -> pymunk.PivotJoint:
-        """What drives an agent; only the velocity of its first body matters."""
-        wish = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
-        motor = pymunk.PivotJoint(wish, agent, (0.0, 0.0), (0.0, 0.0))
-        motor.max_bias, motor.max_force = 0.0, self._sizes.pull
-        self._space.add(wish, motor)
-        return motor
-
     def _lay_down(self, load: pymunk.Body, needed: float) -> None:
         """Let a load stick to the ground."""
         ground = self._space.static_body
@@ -141,44 +133,51 @@ class Space:
 
     # ---------------------------------------------------------------------------------------- changing them
 
-    def attach(self, held: Wholes) -> None:
-        """Let agents hang on these loads, where they are now."""
-        for agent in np.flatnonzero(held != self._held):
-            if (pivot := self._pivots[agent]) is not None:
-                self._space.remove(pivot)
-                self._pivots[agent] = None
+    def attach(self, state: Floats, held: Wholes, powered: Flags) -> None:
+        """Let agents hang on these loads, where they are now, and pull if they are powered."""
+        for agent in np.flatnonzero(held != self._held).tolist():
+            if agent in self._hanging:
+                self._space.remove(*self._hanging.pop(agent))
             if held[agent] >= 0:
-                body = self._agents[agent]
-                pivot = pymunk.PivotJoint(body, self._loads[held[agent]], body.position)
-                pivot.collide_bodies, pivot.error_bias = False, STRETCH_LEFT
-                self._pivots[agent] = pivot
-                self._space.add(pivot)
-        self._held = held
+                self._hanging[agent] = self._hang(agent, int(held[agent]), state)
+                self._powered[agent] = False
+        for agent in np.flatnonzero((powered != self._powered) & (held >= 0)).tolist():
+            self._hanging[agent][1].max_force = self._sizes.pull if powered[agent] else 0.0
+        self._held, self._powered = held, powered
 
-    def power(self, powered: Any) -> None:
-        """Let these agents have their force, and the others none."""
-        for agent in np.flatnonzero(powered != self._powered):
-            self._motors[agent].max_force = self._sizes.pull if powered[agent] else 0.0
-        self._powered = powered
+    def _hang(self, agent: int, load: int, state: Floats) -> tuple[pymunk.PivotJoint, pymunk.PivotJoint]:
+        """The pivot between an agent and its load, and the motor that pulls, switched off."""
+        body = self._agents[agent]
+        place = _seen_from(state[self._sizes.agents + load], state[agent])
+        pivot = pymunk.PivotJoint(body, self._loads[load], (0.0, 0.0), place)
+        pivot.collide_bodies, pivot.error_bias = False, STRETCH_LEFT
+        motor = pymunk.PivotJoint(self._wishes[agent], body, (0.0, 0.0), (0.0, 0.0))
+        motor.max_bias = motor.max_force = 0.0
+        self._space.add(pivot, motor)
+        return pivot, motor
 
     # ---------------------------------------------------------------------------------------------- passing
 
     def step(self) -> None:
         """Pass a tick: velocities follow from forces, then positions from velocities.
 
-        pymunk moves bodies first, by the velocities of the tick before; so it is given the places from which these lead
-        to where the bodies are.
+        pymunk moves bodies first, by the velocities that they have; so it is given the places from which these lead to where
+        the bodies are.
         """
-        bodies = len(self._agents) + len(self._loads)
-        self.state[:bodies, 0:3] -= self.state[:bodies, 3:6]
-        self._out[self._rows] = self.state
+        self.state[:, 0:3] -= self.state[:, 3:6]
         batch.set_space_bodies(self._space, FIELDS, self._writer)
         self._space.step(1.0)
         self._space.iterations = ITERATIONS
         self._reader.clear()
         batch.get_space_bodies(self._space, FIELDS, self._reader)
-        self.state[:] = self._in[self._rows]
-        self.state[:bodies, 0:3] += self.state[:bodies, 3:6]
+        self.state[:] = self._after
+        self.state[:, 0:3] += self.state[:, 3:6]
+
+
+def _seen_from(load: Floats, agent: Floats) -> tuple[float, float]:
+    """Where an agent is in the frame of a load."""
+    dx, dy, angle = float(agent[0] - load[0]), float(agent[1] - load[1]), float(load[2])
+    return cos(angle) * dx + sin(angle) * dy, cos(angle) * dy - sin(angle) * dx
 
 
 def _empty(sizes: Sizes) -> pymunk.Space:

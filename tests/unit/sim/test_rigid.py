@@ -298,7 +298,7 @@ def test_a_kinematic_moment_can_be_gone_back_to_with_everything_at_rest() -> Non
 def test_a_scenario_without_bodies_is_refused_by_name() -> None:
     bare = Scenario("bare", "Bare", Parameters)
     plan = Start(bare, bare.settle({}), alone(), types(), seed=1, physics="rigid")
-    with pytest.raises(ScenarioError, match="scenario 'bare' declares no bodies.*allowed: kinematic"):
+    with pytest.raises(ScenarioError, match=r"scenario 'bare' declares no bodies.*allowed: kinematic"):
         ReferenceEngine(plan)
 
 
