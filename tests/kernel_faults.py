@@ -1,27 +1,25 @@
 """Scenarios and models that an engine stumbles over, for tests of what it says then."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from app.core.automaton import START, Automaton, Basic, Rule, State
 from app.core.automaton import Start as StartContent
 from app.core.conditions import AtMost, Condition, Values
 from app.core.features import FeatureUse, Ground, Sense
+from app.core.hierarchy import from_table
 from app.core.library import Library, NodeType, Types
 from app.core.transition import Classifier
 from app.core.tree import Decision
 from app.sim.engine import Start
-from app.sim.scenario import Column, FeatureKind, Scenario, World, quantity
+from app.sim.scenario import Column, Scenario, World
 from tests import foragers
-
-FAULTS = ("none", "division by zero", "nan", "nobody")
+from tests.playground import scenario as playground
 
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """What can be set."""
-
-    fault: str = quantity("none", choices=FAULTS, doc="what goes wrong in tick 7")
+    """Nothing can be set."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,44 +72,19 @@ def unportable() -> Scenario:
     return scenario
 
 
-def failing() -> Scenario:
-    """One whose functions fail in tick 7, each in its own way."""
-    scenario = _empty("failing")
-
-    @scenario.feature("Doubt", FeatureKind.CONTINUOUS, ("target",))
-    def doubt(world: World, me: int, target: int) -> float:
-        """No number in tick 7."""
-        if world.params.fault == 2 and world.clock[2] == 7:
-            return 1e308 * 10.0 - 1e308 * 10.0
-        return 1.0
-
-    @scenario.target("somebody")
-    def somebody(world: World, first: int, end: int, me: int) -> int:
-        """Nobody that there is in tick 7."""
-        return 1000 if world.params.fault == 3 and world.clock[2] == 7 else me
-
-    @scenario.behavior("Step")
-    def step(world: World, me: int) -> None:
-        """Divide by zero in tick 7."""
-        if world.params.fault == 1:
-            world.x[me] = 1.0 / (7 - world.clock[2])
-
-    return scenario
-
-
-def with_fault(start: Start, fault: str) -> Start:
-    """A run in which agents step on, and doubt, until *fault* happens."""
-    scenario = start.scenario
+def failing_start(fault: str) -> Start:
+    """A run in the playground in which something goes wrong in tick 7."""
     target: Mapping[str, Ground] = {"target": Ground("somebody")}
     go = Automaton(
         "Go",
         "Go",
-        states=(State(START, StartContent()), State("step", Basic("Step"))),
+        states=(State(START, StartContent()), State("swing", Basic("Swing"))),
         features=(FeatureUse("doubt", Sense("Doubt", target)),),
         rules=(
-            Rule("1", START, (), "step"),
-            Rule("2", "step", (Condition(AtMost("doubt", 0.0)),), "step"),
+            Rule("1", START, (), "swing"),
+            Rule("2", "swing", (Condition(AtMost("doubt", 0.0)),), "swing"),
         ),
     )
-    types = Types((NodeType("agent"),), {"agent": Library({"Go": go})}, scenario.vocabulary)
-    return replace(start, types=types, parameters=scenario.settle({"fault": fault}))
+    types = Types((NodeType("child"),), {"child": Library({"Go": go})}, playground.vocabulary)
+    forest = from_table((3,), ("child",))
+    return Start(playground, playground.settle({"fault": fault}), forest, types, 1, top="Go")

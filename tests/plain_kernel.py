@@ -11,12 +11,12 @@ from app.sim.kernel import flat, tick
 from app.sim.kernel.flat import FlatWorld
 from app.sim.kernel.source import SIZES, kernel_source, scenario_functions
 from app.sim.kernel.state import RUN_COLUMNS
-from app.sim.kernel.tick import ENTITIES, FAULT
+from app.sim.kernel.tick import ENTITIES, FAULT, WHOLE
 from app.sim.program.tables import TABLE_COLUMNS
 from tests.playground import scenario as playground
 
 TEXT = Path(str(tick.__file__)).read_text(encoding="utf-8")
-Run = Callable[[Any, Any, Any, int], None]
+Run = Callable[[Any, Any, Any, int, int], None]
 
 
 def run_of(text: str) -> tuple[Run, ModuleType]:
@@ -52,6 +52,7 @@ def plain_kernel(text: str = TEXT) -> Iterator[None]:
             generated.Tables(**tables, **sizes),
             generated.Runs(*(runs[name] for name in RUN_COLUMNS)),
             ticks,
+            WHOLE,
         )
         for name, column in self.world.items():
             column[: len(columns[name])] = columns[name]

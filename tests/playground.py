@@ -24,6 +24,8 @@ from app.sim.scenario import (
     wrapped,
 )
 
+FAULTS = ("none", "division by zero", "no number", "nobody")
+
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
@@ -34,6 +36,7 @@ class Parameters:
     stones: int = quantity(4, "stones", 0, 100, doc="how many lie around")
     reach: float = quantity(1.5, "units", 0.0, 10.0, doc="how near a stone or the pit is")
     slippery: bool = quantity(False, doc="children turn by chance")
+    fault: str = quantity("none", choices=FAULTS, doc="what goes wrong in tick 7")
     ground: str = quantity("flat", choices=("flat", "hilly"), doc="hills slow children down")
 
 
@@ -98,6 +101,14 @@ def third(world: World, me: int) -> int:
     return min(int(3.0 * world.x[me] / world.params.side), 2)
 
 
+@scenario.feature("Doubt", FeatureKind.CONTINUOUS, ("target",))
+def doubt(world: World, me: int, target: int) -> float:
+    """How long it has been, unless that is no number."""
+    if world.params.fault == 2 and world.clock[2] == 7:
+        return 1e308 * 10.0 - 1e308 * 10.0
+    return float(world.clock[2])
+
+
 @scenario.group_feature("Crowded", FeatureKind.BOOLEAN)
 def crowded(world: World, first: int, end: int) -> float:
     """Whether two of the group stand near each other."""
@@ -144,6 +155,19 @@ def holder(world: World, first: int, end: int, me: int) -> int:
 def last(world: World, first: int, end: int, me: int) -> int:
     """The last of the owner's group."""
     return int(world.members[end - 1])
+
+
+@scenario.target("somebody")
+def somebody(world: World, first: int, end: int, me: int) -> int:
+    """The child itself, unless that is nobody that there is."""
+    return 1000 if world.params.fault == 3 and world.clock[2] == 7 else me
+
+
+@scenario.behavior("Swing")
+def swing(world: World, me: int) -> None:
+    """Go to and fro, ever faster."""
+    left = 7 - world.clock[2] if world.params.fault == 1 else 8
+    world.turn[me] = 1.0 / left
 
 
 @scenario.behavior("Walk")

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from random import Random
-from typing import Any
 
 from app.core.actor import Actor, Argument, Run
 from app.core.automaton import (
@@ -44,7 +43,6 @@ from app.core.tree import Branch, Forest, Leaf, Tree, TreeNode
 from app.core.vocabulary import DONE, FAILED, FINISHED, FeatureKind, Vocabulary
 from app.sim.engine import Engine, Start
 from app.sim.reference import ReferenceEngine
-from app.sim.scenario import Scenario
 from tests.playground import scenario as playground
 
 TYPES = (
@@ -205,15 +203,27 @@ class Author:
         return AtMost(use.id, random.uniform(0.0, 8.0))
 
 
-def random_types(random: Random, scenario: Scenario = playground) -> Types:
+def harmless() -> Vocabulary:
+    """What can be done and seen in the playground, without what is there to go wrong."""
+    full = playground.vocabulary
+    return Vocabulary(
+        0,
+        {name: b for name, b in full.behaviors.items() if name != "Swing"},
+        {name: f for name, f in full.features.items() if name != "Doubt"},
+        {name: t for name, t in full.targets.items() if name != "somebody"},
+    )
+
+
+def random_types(random: Random) -> Types:
     """Libraries of automata up to three levels deep for children, groups and schools."""
+    words = harmless()
     libraries: dict[str, Library] = {}
     for node_type in TYPES:
-        author = Author(random, Types(TYPES, libraries, scenario.vocabulary), node_type.name)
+        author = Author(random, Types(TYPES, libraries, words), node_type.name)
         for level in range(LEVELS):
             author.write(level)
         libraries[node_type.name] = Library({a.id: a for a in author.written})
-    return Types(TYPES, libraries, scenario.vocabulary)
+    return Types(TYPES, libraries, words)
 
 
 def random_forest(random: Random) -> Hierarchy:
@@ -373,13 +383,13 @@ def _name(source: Sense | Statistic) -> str:
     return source.feature
 
 
-def everything(scenario: Any = playground) -> set[str]:
+def everything() -> set[str]:
     """What runs have to reach so that comparing them means something."""
     sources = {"Sense", "FlagUp", "TicksInState"}
     sources |= {f"{operation.value} {of}" for operation in Operation for of in ("Sense", "FlagUp")}
     wanted = {f"{source} {value}" for source in sources for value in ("zero", "not zero")}
-    wanted |= set(scenario.features)
-    agent = [name for name, f in scenario.vocabulary.features.items() if f.whose == "agent"]
+    wanted |= set(harmless().features)
+    agent = [name for name, f in harmless().features.items() if f.whose == "agent"]
     wanted |= {f"{over.value}: {of}" for over in Over for of in (*agent, *FLAGS, FINISHED)}
     wanted |= {f"{flag} on level {level}" for flag in FLAGS for level in range(3)}
     wanted |= {f"transition of depth {depth} on level {level}" for depth in range(3) for level in range(3)}

@@ -39,7 +39,7 @@ def make_engine(
     """
     if kind not in KINDS:
         raise ScenarioError(f"there is no engine {kind!r}; there are: {', '.join(KINDS)}")
-    if kind == REFERENCE or start.physics != "kinematic":
+    if kind == REFERENCE:
         return ReferenceEngine(start, leaving, classifiers)
     try:
         refuse_uncompilable(start.scenario)

@@ -1,3 +1,4 @@
+# mypy: disable-error-code="no-untyped-call"
 """The kernel of a scenario: generated once for each hash of all that it is made of, compiled once, kept on disk.
 
 numba caches a compiled function beside the file that it stands in and looks at nothing but that file. So the name of the
@@ -17,6 +18,7 @@ from typing import Any
 
 import numba
 import numpy as np
+from numba import types
 from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
@@ -29,7 +31,8 @@ from .source import Layout, kernel_source, scenario_functions
 #: Told in a few words what takes time.
 Notice = Callable[[str], None]
 Addresses = NDArray[np.int64]
-#: Steps a world: addresses of its columns and of those of its program and runs, scalars, sizes, and how many ticks.
+#: Steps a world: addresses of its columns and of those of its program and runs, scalars, sizes, how many ticks, and which
+#: part of them.
 Kernel = Callable[..., None]
 
 #: With more functions than this, those with loops are not put into their callers: compiling would take minutes.
@@ -54,7 +57,8 @@ def build(
     name = "kernel_" + _digest(scenario, source)
     with _LOCK:
         if name not in _KERNELS:
-            _KERNELS[name] = _compiled(scenario, source, name, folder or cache_folder(), notice)
+            path = (folder or cache_folder()) / f"{name}.py"
+            _KERNELS[name] = _compiled(scenario, layout, source, path, notice)
         return _KERNELS[name]
 
 
@@ -71,18 +75,18 @@ def _digest(scenario: Scenario, source: str) -> str:
     return hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
 
 
-def _compiled(scenario: Scenario, source: str, name: str, folder: Path, notice: Notice | None) -> Kernel:
-    path = _written(folder / f"{name}.py", source)
+def _compiled(scenario: Scenario, layout: Layout, source: str, path: Path, notice: Notice | None) -> Kernel:
     refused = path.with_suffix(".refused")  # numba takes seconds to find out: once is enough
     if refused.exists():
         raise UncompilableError(refused.read_text(encoding="utf-8"))
-    if notice is not None and not list(path.parent.glob(f"__pycache__/{name}.*.nbi")):
-        notice(f"compiling the kernel of {scenario.name!r}, once")
-    module = _loaded(scenario, name, path)
-    kernel: Kernel = module.kernel
-    nothing = np.zeros(1, np.int64)
+    module = _loaded(scenario, _written(path, source))
     try:
-        kernel(*_no_world(module), nothing, 0)
+        if not list(path.parent.glob(f"__pycache__/{path.stem}.*.nbi")):
+            if notice is not None:
+                notice(f"compiling the kernel of {scenario.name!r}, once")
+            _compile_functions(scenario, layout, module)
+        kernel: Kernel = module.kernel
+        module.kernel.compile((types.int64[::1],) * 4 + (types.int64,) * 2)
     except NumbaError as error:
         message = f"scenario {scenario.name!r} cannot be compiled: {_gist(error)}"
         refused.write_text(message, encoding="utf-8")
@@ -90,9 +94,16 @@ def _compiled(scenario: Scenario, source: str, name: str, folder: Path, notice: 
     return kernel
 
 
-def _no_world(module: ModuleType) -> list[Addresses]:
-    """Addresses and scalars enough to pass no tick."""
-    return [np.zeros(length, np.int64) for length in module.LENGTHS]
+def _compile_functions(scenario: Scenario, layout: Layout, module: ModuleType) -> None:
+    """Compile the scenario's functions as the kernel will call them: what is wrong with one shows at once."""
+    numbers = {"f": types.float64, "i": types.int64}
+    params = types.NamedTuple([numbers[letter] for letter in layout.parameters.values()], module.Params)
+    fields: dict[str, Any] = {name: columns.ColumnType(numbers[k]) for name, k in layout.columns.items()}
+    fields |= dict.fromkeys(layout.scalars, types.int64) | {"params": params}
+    world = types.NamedTuple([fields[name] for name in layout.fields], module.World)
+    for name, function in scenario_functions(scenario).items():
+        others = function.__code__.co_argcount - 1
+        getattr(module, name).compile((world, *[types.int64] * others))
 
 
 def _written(path: Path, source: str) -> Path:
@@ -105,9 +116,9 @@ def _written(path: Path, source: str) -> Path:
     return path
 
 
-def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
+def _loaded(scenario: Scenario, path: Path) -> ModuleType:
     """The generated module; numba finds it again by its name when it reads its cache."""
-    spec = spec_from_file_location(name, path)
+    spec = spec_from_file_location(path.stem, path)
     assert spec is not None
     assert spec.loader is not None
     module = module_from_spec(spec)
@@ -121,7 +132,7 @@ def _loaded(scenario: Scenario, name: str, path: Path) -> ModuleType:
         inlined=lambda function: _compile_one(function, inline=True),
         linked=lambda **instead: linker.linked(tick.run, instead),
     )
-    sys.modules[name] = module
+    sys.modules[path.stem] = module
     spec.loader.exec_module(module)
     return module
 

@@ -53,12 +53,13 @@ class KernelEngine:
             UncompilableError: The scenario cannot be compiled.
             ScenarioError: Its reset failed.
         """
-        self.start = start
         self.obstacle = ""
         self.senses: Senses = _FreshSenses(self)
         self._observed = leaving is not None
         self._reference = ReferenceEngine(start, leaving, classifiers)
-        self._flat = FlatWorld(start.scenario, self._reference.world, notice, folder)
+        self.start = self._reference.start  # with what its physics needs
+        reference = self._reference
+        self._flat = FlatWorld(self.start.scenario, reference.world, reference.physics, notice, folder)
         self._lowered: _Lowered | None = None
         self._in_columns = False  # where the truth is
         self._copied = True  # whether plain Python says the same
@@ -78,8 +79,7 @@ class KernelEngine:
     def _is_free(self, control: Control) -> bool:
         """Whether nobody interferes and nobody listens."""
         heard = self._observed and control.listen
-        interfered = control.picks or control.taught or control.still or self.start.physics != "kinematic"
-        return not (interfered or heard)
+        return not (control.picks or control.taught or control.still or heard)
 
     def _run(self, ticks: int) -> None:
         """Pass ticks in the kernel; if something goes wrong in one, go back and let the reference engine say what."""
@@ -92,6 +92,8 @@ class KernelEngine:
             pass
         passed = self.tick - first
         self._flat.paste(before)
+        if self._reference.physics is not None:
+            self._reference.physics.forget()
         self._flat.run(passed)
         self._to_python()
         self._reference.step()

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import numpy as np
 
+from ..physics import Physics
 from ..program.tables import TABLE_COLUMNS, Column, Program, Sizes
 from ..scenario import Scenario, World
 from .build import Addresses, Notice, build
 from .source import SIZES, layout_of
 from .state import RUN_COLUMNS
-from .tick import ENTITIES, FAULT
+from .tick import AFTER_MOVING, BEFORE_MOVING, ENTITIES, FAULT, WHOLE
 
 
 class FlatWorld:
@@ -23,13 +24,26 @@ class FlatWorld:
         sizes: Those of the program, in the order of `SIZES`.
     """
 
-    def __init__(self, scenario: Scenario, world: World, notice: Notice | None, folder: Path | None) -> None:
+    def __init__(
+        self,
+        scenario: Scenario,
+        world: World,
+        physics: Physics | None = None,
+        notice: Notice | None = None,
+        folder: Path | None = None,
+    ) -> None:
         """Make room for a world of this shape.
+
+        Args:
+            physics: Moves things in the place of the scenario's kinematics.
+            notice: Told when the kernel has to be compiled.
+            folder: Where compiled kernels are kept.
 
         Raises:
             UncompilableError: The scenario cannot be compiled.
         """
         self.shape = world
+        self._physics = physics
         layout = layout_of(world, scenario)
         self._kernel = build(scenario, layout, notice, folder)
         self.world: dict[str, Column] = {
@@ -70,9 +84,21 @@ class FlatWorld:
 
     def run(self, ticks: int) -> bool:
         """Pass ticks; False if a function of the scenario answered with what it cannot mean."""
-        self.runs["once"][FAULT] = 0
-        self._kernel(self._world_at, self._tables_at, self._runs_at, self._whole, ticks)
-        return bool(self.runs["once"][FAULT] == 0)
+        once = self.runs["once"]
+        once[FAULT] = 0
+        if self._physics is None:
+            self._step(ticks, WHOLE)
+            return bool(once[FAULT] == 0)
+        for _ in range(ticks):
+            self._step(1, BEFORE_MOVING)
+            if once[FAULT] != 0:
+                return False
+            self._physics.step(self.world)
+            self._step(1, AFTER_MOVING)
+        return True
+
+    def _step(self, ticks: int, part: int) -> None:
+        self._kernel(self._world_at, self._tables_at, self._runs_at, self._whole, ticks, part)
 
     def read(self, world: World) -> None:
         """Take over the columns of a plain world."""

@@ -49,7 +49,7 @@ def scenario_functions(scenario: Scenario) -> Mapping[str, Callable[..., Any]]:
     numbered: dict[str, Callable[..., Any]] = {
         f"{kind}_{k}": function for kind, table in tables.items() for k, function in enumerate(table.values())
     }
-    return numbered | {name: scenario.stages[name] for name in STAGES if name in scenario.stages}
+    return numbered | {f"{name}_stage": scenario.stages[name] for name in STAGES if name in scenario.stages}
 
 
 def kernel_source(scenario: Scenario, layout: Layout) -> str:
@@ -61,7 +61,7 @@ def kernel_source(scenario: Scenario, layout: Layout) -> str:
             *_senses(scenario),
             _targets(scenario),
             _behaviors(scenario),
-            _stages(scenario),
+            *_stages(scenario),
             _kernel(layout),
         )
     )
@@ -74,15 +74,9 @@ def _types(layout: Layout) -> str:
         "Tables": (*TABLE_COLUMNS, *SIZES),
         "Runs": tuple(RUN_COLUMNS),
     }
-    lengths = (
-        len(layout.columns) + 2,
-        len(TABLE_COLUMNS),
-        len(RUN_COLUMNS),
-    )
     return "\n".join(
         (
             "from collections import namedtuple",
-            f"LENGTHS = {lengths}",
             *(f"{name} = namedtuple({name!r}, {list(fields)!r})" for name, fields in names.items()),
         )
     )
@@ -136,13 +130,14 @@ def _behaviors(scenario: Scenario) -> str:
     return "\n".join((*lines, "    return None"))
 
 
-def _stages(scenario: Scenario) -> str:
-    calls = [f"    {name}(world)" for name in STAGES if name in scenario.stages]
-    return "\n".join(("def stages(world):", *calls, "    return None"))
+def _stages(scenario: Scenario) -> Iterator[str]:
+    for name in STAGES:
+        does = f"{name}_stage(world)" if name in scenario.stages else "return None"
+        yield f"def {name}(world):\n    {does}"
 
 
 def _kernel(layout: Layout) -> str:
-    named = ("sense", "sense_group", "find", "behave", "stages")
+    named = ("sense", "sense_group", "find", "behave", *STAGES)
     instead = ", ".join(f"{name}=inlined({name})" for name in named)
     return "\n".join(
         (
@@ -150,14 +145,14 @@ def _kernel(layout: Layout) -> str:
             "",
             "",
             "@compiled",
-            "def kernel(world_at, tables_at, runs_at, scalars, ticks):",
+            "def kernel(world_at, tables_at, runs_at, scalars, ticks, part):",
             f"    float_parameters = column_f(world_at[{len(layout.columns)}])",
             f"    whole_parameters = column_i(world_at[{len(layout.columns) + 1}])",
             f"    params = Params({_parameters(layout)})",
             f"    world = World({_world(layout)})",
             f"    tab = Tables({_columns(TABLE_COLUMNS, 'tables_at')}, {_sizes(layout)})",
             f"    runs = Runs({_columns(RUN_COLUMNS, 'runs_at')})",
-            "    run(world, tab, runs, ticks)",
+            "    run(world, tab, runs, ticks, part)",
             "",
         )
     )

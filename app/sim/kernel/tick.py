@@ -1,7 +1,7 @@
 """One tick of every node over flat columns: what the kernel compiles. Plain Python may run it too, for tests.
 
 It does what `app.core.machine` says, in the same order, so that both give the same numbers to the bit. What the
-scenario senses and does is reached through four functions that are put in place when the kernel is made (see
+scenario senses and does is reached through seven functions that are put in place when the kernel is made (see
 `app.sim.kernel.build`).
 
 Columns of *tab* are a program's (`app.sim.program.tables`), those of *runs* what the nodes do (`app.sim.kernel.state`). A
@@ -48,6 +48,8 @@ TICK, KEY = 2, 3
 # Places in `runs.once`: the number of the node's tick, counted up; the machine's key for chance; whether a function of the
 # scenario answered with what it cannot mean; how many entities there are.
 STAMP, MACHINE_KEY, FAULT, ENTITIES = range(4)
+#: Which part of a tick passes: all of it, or what comes before or after something else has moved the world.
+WHOLE, BEFORE_MOVING, AFTER_MOVING = range(3)
 
 
 def sense(world: World, feature: int, me: int, targets: Any, once: Any) -> float:
@@ -70,21 +72,36 @@ def behave(world: World, behavior: int, me: int, targets: Any, at: int) -> None:
     raise NotImplementedError
 
 
-def stages(world: World) -> None:
-    """Resolve, move, and follow the after-tick rules."""
+def resolve(world: World) -> None:
+    """Settle what agents want of each other."""
     raise NotImplementedError
 
 
-def run(world: World, tab: Tables, runs: Runs, ticks: int) -> None:
-    """Pass ticks; stop in the first in which something is wrong."""
+def kinematics(world: World) -> None:
+    """Move everything."""
+    raise NotImplementedError
+
+
+def after_tick(world: World) -> None:
+    """Follow the rules at the end of a tick."""
+    raise NotImplementedError
+
+
+def run(world: World, tab: Tables, runs: Runs, ticks: int, part: int) -> None:
+    """Pass ticks, or the part before or after moving of them; stop in the first in which something is wrong."""
     for _ in range(ticks):
-        for node in range(tab.nodes):
-            decide(world, tab, runs, node)
-        if runs.once[FAULT] != 0:
-            return
-        act(world, tab, runs)
-        stages(world)
-        world.clock[TICK] += 1
+        if part != AFTER_MOVING:
+            for node in range(tab.nodes):
+                decide(world, tab, runs, node)
+            if runs.once[FAULT] != 0:
+                return
+            act(world, tab, runs)
+            resolve(world)
+        if part == WHOLE:
+            kinematics(world)
+        if part != BEFORE_MOVING:
+            after_tick(world)
+            world.clock[TICK] += 1
 
 
 def act(world: World, tab: Tables, runs: Runs) -> None:

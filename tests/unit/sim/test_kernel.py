@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Mapping
+from dataclasses import replace
 from math import pi
 from random import Random
 from typing import Any
@@ -20,6 +21,7 @@ from app.sim.kernel import KernelEngine, build, linking, twins
 from app.sim.reference import ReferenceEngine
 from app.sim.scenario import Scenario
 from tests import foragers, kernel_faults
+from tests.playground import FAULTS
 from tests.random_runs import compare, difference
 
 CROWDED: Mapping[str, Any] = {
@@ -58,6 +60,17 @@ def test_foraging_is_the_same_after_many_ticks(name: str) -> None:
     assert found.measures() == wanted.measures()
     assert found.progressed == wanted.progressed
     assert found.measures()["boxes"] > 0
+
+
+@structures
+def test_rigid_worlds_are_the_same_too(name: str) -> None:
+    start = replace(forage(name), physics="rigid")
+    found, wanted = KernelEngine(start), ReferenceEngine(start)
+    compare(found, wanted, 20)
+    found.step(250)
+    wanted.step(250)
+    assert difference(found, wanted) == ""
+    assert found.obstacle == ""
 
 
 def test_worlds_side_by_side_do_not_disturb_each_other() -> None:
@@ -177,11 +190,9 @@ def bare_start(scenario: Scenario) -> Start:
     return Start(scenario, scenario.settle({}), from_table((2,), ("agent",)), types, 1, top="Go")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("fault", ["division by zero", "nan", "nobody"])
+@pytest.mark.parametrize("fault", FAULTS[1:])
 def test_a_function_that_fails_is_named_at_the_tick_where_it_fails(fault: str) -> None:
-    start = bare_start(kernel_faults.failing())
-    start = kernel_faults.with_fault(start, fault)
+    start = kernel_faults.failing_start(fault)
     found, wanted = KernelEngine(start), ReferenceEngine(start)
     messages = []
     for engine in (found, wanted):
