@@ -35,6 +35,8 @@ def with_motion(scenario: Scenario) -> Scenario:
         raise ScenarioError(
             f"scenario {scenario.name!r} declares no bodies, so its physics cannot be rigid; allowed: kinematic"
         )
+    if set(MOTION_COLUMNS) <= set(scenario.columns):
+        return scenario
     taken = {column.name for column in scenario.columns}
     if clash := [column.name for column in MOTION_COLUMNS if column.name in taken]:
         raise ScenarioError(

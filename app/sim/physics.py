@@ -6,7 +6,7 @@ from typing import Protocol
 from ..core.errors import ScenarioError
 from .engine import Start
 from .motion import Arrays, with_motion
-from .scenario import Scenario, World
+from .scenario import World
 
 KINEMATIC, RIGID = "kinematic", "rigid"
 PHYSICS = (KINEMATIC, RIGID)
@@ -43,8 +43,3 @@ def physics_of(start: Start, world: World) -> Physics | None:
     from .rigid import RigidPhysics  # noqa: PLC0415 - only runs that need it pay for importing pymunk
 
     return RigidPhysics(start.scenario, world)
-
-
-def is_rigid(scenario: Scenario) -> bool:
-    """Whether a scenario can be run with bodies."""
-    return scenario.bodies is not None
