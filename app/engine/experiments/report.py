@@ -68,7 +68,7 @@ def _claim(judged: Judged) -> dict[str, Any]:
 
 def arm_columns(found: Findings) -> list[str]:
     """The head of the table of arms."""
-    return ["arm", *_factors(found.experiment), "runs", *measures_in(found), "stalled", "agent-ticks/s"]
+    return ["arm", *_where_columns(found.experiment), "runs", *measures_in(found), "stalled", "agent-ticks/s"]
 
 
 def arm_rows(found: Findings) -> list[list[str]]:
@@ -76,7 +76,7 @@ def arm_rows(found: Findings) -> list[list[str]]:
     return [
         [
             summary.cell.arm,
-            *(summary.cell.levels[factor] for factor in _factors(found.experiment)),
+            *_where(summary, found.experiment),
             str(summary.runs),
             *(with_interval(summary.measures.get(name)) for name in measures_in(found)),
             f"{summary.stalled_share:.0%}",
@@ -86,8 +86,22 @@ def arm_rows(found: Findings) -> list[list[str]]:
     ]
 
 
-def _factors(experiment: Experiment) -> list[str]:
+def words_in_arms(experiment: Experiment) -> int:
+    """How many columns of the table of arms, from the left, hold words."""
+    return 1 + len(_where_columns(experiment))
+
+
+def _where_columns(experiment: Experiment) -> list[str]:
+    """A column a factor, or a single one that names what is unusual."""
+    if experiment.design is Design.ONE_AT_A_TIME:
+        return ["what is changed"]
     return [factor.name for factor in experiment.factors]
+
+
+def _where(summary: Summary, experiment: Experiment) -> list[str]:
+    if experiment.design is Design.ONE_AT_A_TIME:
+        return [place(summary.cell.levels, experiment)]
+    return [summary.cell.levels[factor.name] for factor in experiment.factors]
 
 
 def measures_in(found: Findings) -> list[str]:
@@ -198,6 +212,18 @@ def _verdicts(claims: Sequence[Judged]) -> str:
     counts: Mapping[Verdict, int] = {v: sum(judged.verdict is v for judged in claims) for v in Verdict}
     told = [f"{count} {verdict.value}" for verdict, count in counts.items() if count]
     return f"Of {len(claims)}: {', '.join(told)}."
+
+
+def _overview(found: Findings) -> list[str]:
+    """Where each claim holds and where not: a row a place, a column a claim by its number."""
+    texts = list(dict.fromkeys(judged.claim.text for judged in found.claims))
+    cells: dict[str, dict[str, str]] = {}
+    for judged in found.claims:
+        cells.setdefault(place(judged.levels, found.experiment), {})[judged.claim.text] = judged.verdict.value
+    listed = "\n".join(f"{number}. {text}" for number, text in enumerate(texts, 1))
+    columns = ["where", *(str(number) for number in range(1, len(texts) + 1))]
+    rows = [[where, *(verdicts.get(text, "") for text in texts)] for where, verdicts in cells.items()]
+    return [listed, _table(columns, rows, words=len(columns))]
 
 
 def _tested(found: Findings) -> str:

@@ -13,10 +13,10 @@ from threading import Event
 import numpy as np
 
 from ...core.project import Project
-from ...sim.engine import Engine, Start
-from ...sim.engines import Notice, make_engine
+from ...sim.engine import Engine
+from ...sim.engines import Notice
 from ...sim.scenario import Scenario
-from ..runs import STALLED_PART, Treatment, slices
+from ..runs import STALLED_PART, slices, start_engine
 from .plan import Cell, Experiment
 from .store import Results, Row
 from .treatments import Ready, Treatments
@@ -192,7 +192,7 @@ class _Crew:
         cell, run = underway.cell, underway.run
         ready = self._treatments.of(cell, run)
         seed = self._experiment.seed_of(cell.number, run)
-        engine = _started(ready.treatment, seed, self._notice)
+        engine = start_engine(ready.treatment, seed, notice=self._notice)
         began = time.perf_counter()
         curves = self._curves(engine, underway)
         if curves is None:
@@ -212,14 +212,6 @@ class _Crew:
                 underway.share = engine.tick / ticks
             samples.append(list(engine.measures().values()))
         return samples
-
-
-def _started(of: Treatment, seed: int, notice: Notice) -> Engine:
-    types = of.project.types_with(of.scenario.vocabulary)
-    start = Start(
-        of.scenario, of.parameters, of.arm.forest(), types, seed, top=of.arm.top, physics=of.physics
-    )
-    return make_engine(start, None, of.classifiers, notice=notice)
 
 
 def _row(

@@ -3,7 +3,8 @@
 ====================================  ================================================================================
 setting                               what it changes
 ====================================  ================================================================================
-``world.NAME``, ``physics``           a parameter of the scenario; the physics, as ``understudy run --set`` does
+``world.NAME``                        a parameter of the scenario
+``physics``, ``engine``               what moves things, and what steps worlds, as ``understudy run --set`` does
 ``world``                             the project's named set of parameters that the arm takes place in
 ``sizes``                             the sizes of the hierarchy's levels, from the roots down: ``[2, 5, 5]``
 ``top``                               the behavior that every root runs
@@ -36,7 +37,7 @@ from .plan import Cell, Experiment, Given, Settings
 EXTRA_MEASURES = ("picks", "examples")
 ALL = "all"
 KNOWN = (
-    "world.NAME, world, physics, sizes, top, rule.TYPE/BEHAVIOR/RULE, use.TYPE/BEHAVIOR, "
+    "world.NAME, world, physics, engine, sizes, top, rule.TYPE/BEHAVIOR/RULE, use.TYPE/BEHAVIOR, "
     "learner.classifier, learner.options.NAME, learner.picks, learner.flat"
 )
 
@@ -76,7 +77,9 @@ class Treatments:
             UnderstudyError: A setting names nothing, or its value is not allowed.
         """
         wanted = sorted_settings(cell.settings)
-        with self._lock:  # a flat automaton is watched, and a treatment made, by one thread while the others wait
+        with (
+            self._lock
+        ):  # a flat automaton is watched, and a treatment made, by one thread while the others wait
             if cell.number not in self._ready:
                 self._ready[cell.number] = self._prepared(cell, wanted)
         ready = self._ready[cell.number]
@@ -137,7 +140,7 @@ def sorted_settings(settings: Settings) -> Sorted:
 
 
 def _is_scenario(key: str) -> bool:
-    return key == "physics" or key.startswith("world.")
+    return key in ("physics", "engine") or key.startswith("world.")
 
 
 def _scalar(key: str, value: Given) -> Value:
