@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from tempfile import TemporaryFile, mkdtemp
 from threading import RLock
 from types import FunctionType, ModuleType
 from typing import Any
@@ -57,7 +58,7 @@ def build(
     name = "kernel_" + _digest(scenario, source)
     with _LOCK:
         if name not in _KERNELS:
-            path = (folder or cache_folder()) / f"{name}.py"
+            path = writable(folder or cache_folder()) / f"{name}.py"
             _KERNELS[name] = _compiled(scenario, layout, source, path, notice)
         return _KERNELS[name]
 
@@ -65,6 +66,16 @@ def build(
 def cache_folder() -> Path:
     """Where compiled kernels are kept."""
     return user_cache_path("understudy") / "kernels"
+
+
+def writable(folder: Path) -> Path:
+    """*folder*, made if need be; where nothing can be written, one for this process alone."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=folder):
+            return folder
+    except OSError:
+        return Path(mkdtemp(prefix="understudy-kernels-"))
 
 
 def _digest(scenario: Scenario, source: str) -> str:
@@ -109,7 +120,6 @@ def _compile_functions(scenario: Scenario, layout: Layout, module: ModuleType) -
 def _written(path: Path, source: str) -> Path:
     """The file, whole at every moment, so that other processes may write and read the same one."""
     if not path.exists():
-        path.parent.mkdir(parents=True, exist_ok=True)
         part = path.with_name(f"{path.stem}.{os.getpid()}.part")
         part.write_text(source, encoding="utf-8")
         part.replace(path)

@@ -4,6 +4,7 @@ import threading
 from collections.abc import Mapping
 from dataclasses import replace
 from math import pi
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -253,3 +254,11 @@ def test_a_fingerprint_changes_with_what_a_function_calls_and_uses() -> None:
 def test_kernels_are_kept_in_the_users_cache_folder() -> None:
     KernelEngine(forage("independent"))
     assert list(build.cache_folder().glob("kernel_*.py"))
+
+
+def test_kernels_go_elsewhere_where_nothing_can_be_written(tmp_path: Path) -> None:
+    assert build.writable(tmp_path / "new" / "kernels") == tmp_path / "new" / "kernels"
+    (tmp_path / "file").write_text("in the way")
+    elsewhere = build.writable(tmp_path / "file" / "kernels")
+    assert elsewhere.is_dir()
+    elsewhere.rmdir()
