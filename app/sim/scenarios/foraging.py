@@ -35,11 +35,11 @@ class Parameters:
     agent_diameter: float = quantity(1.0, "units", 0.01, 1_000.0, doc="for drawing and for contact")
     contact: bool = quantity(default=True, doc="rigid worlds: agents bump into each other")
     reserve: float = quantity(
-        0.5,
+        0.9,
         "pulls",
         0.01,
         0.99,
-        doc="rigid worlds: how much less than its pullers' joint pull a box gives way to",
+        doc="rigid worlds: how much less than the pull of all that it needs a box gives way to",
     )
     sight: float = quantity(10.0, "units", 0.0, 100_000.0, doc="boxes are seen within this distance")
     grab_range: float = quantity(5.0, "units", 0.0, 100_000.0, doc="boxes are grabbed within this distance")

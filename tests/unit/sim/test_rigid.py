@@ -262,7 +262,14 @@ def test_the_same_seed_gives_the_same_run() -> None:
 
 @pytest.mark.parametrize("keyframes", [1, 3])
 def test_a_run_restored_at_a_keyframe_goes_on_as_one_that_never_stopped(keyframes: int) -> None:
-    gathered = {"width": 30.0, "height": 30.0, "deposit_x": 15.0, "deposit_y": 15.0, "boxes": 3, "pullers": 2}
+    gathered: dict[str, Any] = {
+        "width": 30.0,
+        "height": 30.0,
+        "deposit_x": 15.0,
+        "deposit_y": 15.0,
+        "boxes": 3,
+        "pullers": 2,
+    }
     going = rigid(groups(2, 4), "ControlForage", **gathered)
     going.step(keyframes * KEYFRAME)
     world, machine = going.frozen_world(), freeze(going.machine)
