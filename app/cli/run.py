@@ -1,6 +1,5 @@
 """``understudy run``: run an arm without a window, and count."""
 
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,19 +9,17 @@ from ..core.check import refuse
 from ..core.errors import ParameterError, StorageError
 from ..core.project import Arm, Project, Value
 from ..editor.figures import Figure, FigureError, draw, refuse_format
-from ..engine.runs import RunResult, Treatment, start_engine, treatment
+from ..engine.runs import RunResult, Treatment, treatment
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
 from .pictures import Shown, figure_of_runs, mean_of
-from .places import cores
+from .plans import Bench, Plan
 from .settings import parsed
 from .staleness import warn_of_stale
 from .wording import counted, number
-from .worlds import Bench, Plan, run_plans
+from .worlds import run_plans
 
-#: Agent ticks that are made in a second or two.
-SMALL_WORK = 50_000
 #: Chance is settled by 63 bits.
 LARGEST_SEED = 2**63 - 1
 
@@ -102,14 +99,11 @@ def carry_out(request: Request, opened: Opened) -> tuple[Outcome, bool]:
     settings = parsed(request.settings, opened.scenario)
     settled = checked(request, opened, arm, settings)
     plans = [Plan(arm, seed, request.ticks, settings, request.top) for seed in seeds(request)]
-    processes = request.jobs or worthwhile(request, len(settled.arm.forest().agents()))
-    began = time.perf_counter()
     with progress(f"Running {arm.name}", request.ticks * request.runs) as advance:
-        ran = run_plans(Bench(opened.project, opened.folder, request.trust), plans, processes, advance)
-    seconds = time.perf_counter() - began
+        ran = run_plans(Bench(opened.project, opened.folder, request.trust), plans, request.jobs, advance)
     results = tuple(result for result in ran.results if result is not None)
     outcome = Outcome(
-        opened.project, settled.arm, settled.parameters, settings, request.ticks, results, seconds
+        opened.project, settled.arm, settled.parameters, settings, request.ticks, results, ran.seconds
     )
     return outcome, ran.interrupted
 
@@ -123,17 +117,10 @@ def seeds(request: Request) -> range:
 
 
 def checked(request: Request, opened: Opened, arm: Arm, settings: Mapping[str, Value]) -> Treatment:
-    """What every run is: all that is wrong with it is known before any process is started."""
-    seed = seeds(request)[0]
+    """What every run is; what is wrong with it is known before any of them is made."""
     settled = treatment(opened.project, opened.scenario, arm, settings, request.top)
     refuse(_with_arm(opened.project, settled.arm), opened.scenario.vocabulary, arm.name)
-    start_engine(settled, seed)
     return settled
-
-
-def worthwhile(request: Request, agents: int) -> int:
-    """How many processes the runs are worth; starting one takes a second."""
-    return cores() if agents * request.ticks * request.runs >= SMALL_WORK else 1
 
 
 def _with_arm(project: Project, changed: Arm) -> Project:

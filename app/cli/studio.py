@@ -15,11 +15,12 @@ from .demonstrate import play
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
 from .pictures import Shown, figure_of_runs, structure
-from .places import cores, display, shipped_project
+from .places import display, shipped_project
+from .plans import Bench, Plan
 from .probes import writable
 from .run import draw_picture, refuse_picture
 from .wording import counted, number
-from .worlds import Bench, Plan, Ran, run_plans
+from .worlds import Ran, run_plans
 
 DEMONSTRATED = "foraging"
 PICTURE = Path("understudy-demonstration.png")
@@ -99,17 +100,15 @@ def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, s
     arms = project.arms[:MOST_ARMS]
     for arm in arms:
         refuse(project, taught.opened.scenario.vocabulary, arm.name)
-    began = time.perf_counter()
     ran = run_arms(taught.opened, arms, ticks=ticks, seed=seed, trust=trust)
-    seconds = time.perf_counter() - began
     done = [(arm, result) for arm, result in zip(arms, ran.results, strict=True) if result is not None]
     if done:
         show()
         show_table(("", "", *done[0][1].measures, "stalled"), rows(done), words=2)
         total = sum(len(arm.forest().agents()) * result.ticks for arm, result in done)
         show(
-            f"\none run of {counted(ticks, 'tick')} each (seed {seed}): {seconds:.1f} s, "
-            f"{total / seconds:,.0f} agent ticks a second"
+            f"\none run of {counted(ticks, 'tick')} each (seed {seed}): {ran.seconds:.1f} s, "
+            f"{total / ran.seconds:,.0f} agent ticks a second"
         )
     if ran.interrupted:
         return INTERRUPTED
@@ -118,10 +117,10 @@ def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, s
 
 
 def run_arms(opened: Opened, arms: Sequence[Arm], *, ticks: int, seed: int, trust: bool) -> Ran:
-    """One run of each arm, as many at a time as there are cores."""
+    """One run of each arm."""
     plans = [Plan(arm, seed, ticks) for arm in arms]
     with progress(f"Running {counted(len(arms), 'arm')}", ticks * len(arms)) as advance:
-        return run_plans(Bench(opened.project, opened.folder, trust), plans, cores(), advance)
+        return run_plans(Bench(opened.project, opened.folder, trust), plans, None, advance)
 
 
 def rows(done: Sequence[tuple[Arm, RunResult]]) -> list[list[str]]:

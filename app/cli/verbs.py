@@ -104,7 +104,7 @@ def studio(
     project: Annotated[Path | None, typer.Argument(metavar="PROJECT")] = None,
     picture: Picture = None,
     dark: Dark = False,
-    ticks: Annotated[int, typer.Option(callback=at_least(1), help="How long each run takes.")] = 6_000,
+    ticks: Annotated[int, typer.Option(callback=at_least(1), help="How long each run takes.")] = 20_000,
     seed: Seed = 1,
     trust: Trust = False,
 ) -> int:

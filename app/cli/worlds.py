@@ -1,53 +1,35 @@
-"""Several worlds at a time, each in a process of its own; Ctrl-C ends them all and keeps what is finished."""
+"""Several worlds at a time; Ctrl-C ends them all and keeps what is finished.
+
+Compiled worlds run on threads. Uncompiled ones hold Python's lock, so each gets a process of its own.
+"""
 
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping, MutableSequence, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, wait
+import time
+from collections.abc import Callable, Iterator, MutableSequence, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from multiprocessing import get_context, parent_process
-from pathlib import Path
 
-from ..core.project import Arm, Project, Value
-from ..engine.runs import RunResult, Treatment, run, treatment
-from ..engine.scenarios import open_scenario
-from ..learner.trainer import classifiers
+from ..engine.runs import RunResult, start_engine
+from ..sim.reference import ReferenceEngine
 from .console import Advance, say
 from .exits import FELL_SHORT
+from .places import cores
+from .plans import Bench, Plan, Workshop
 
-#: Seconds between looks at how far the processes are.
+#: Seconds between looks at how far the runs are.
 GLANCE = 0.1
-#: A run tells how far it is, and heeds Ctrl-C, once in so many ticks.
-SLICE = 500
-#: Points of a run's curve, at least and at most.
-FEWEST_POINTS, MOST_POINTS = 100, 100_000
+#: Agent ticks that take longer, uncompiled, than it takes to start a process.
+WORTH_A_PROCESS = 50_000
 
-
-@dataclass(frozen=True, slots=True)
-class Plan:
-    """One run to be made."""
-
-    arm: Arm
-    seed: int
-    ticks: int
-    settings: Mapping[str, Value] = field(default_factory=dict)
-    top: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Bench:
-    """What every run of a project needs; it goes to other processes, which open the scenario anew."""
-
-    project: Project
-    folder: Path
-    trust: bool = False
-
-    def lightened(self) -> "Bench":
-        """Without the snapshots, which no run looks at."""
-        return replace(self, project=replace(self.project, moments={}))
+#: How many ticks of each run are done, and in the last place whether all are to stop.
+Board = MutableSequence[int]
+#: A result for each plan, None where it did not get to its end; and whether the user stopped them.
+Made = tuple[Sequence[RunResult | None], bool]
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,95 +38,95 @@ class Ran:
 
     Attributes:
         results: None for a run that did not get to its end.
+        seconds: How long all of them together took, not counting what is done only once, such as compiling.
         interrupted: The user stopped them.
     """
 
     results: tuple[RunResult | None, ...]
+    seconds: float
     interrupted: bool = False
 
 
-def run_plans(bench: Bench, plans: Sequence[Plan], processes: int, advance: Advance) -> Ran:
+def run_plans(bench: Bench, plans: Sequence[Plan], jobs: int | None, advance: Advance) -> Ran:
     """Make all runs.
 
     Args:
-        processes: How many runs at a time; with 1 they are made in this process.
+        jobs: How many runs at a time; None makes as many as pay.
         advance: Told how many ticks of all runs together are done.
+
+    Raises:
+        UnderstudyError: Something is wrong with an arm; nothing has run then.
     """
-    if min(processes, len(plans)) <= 1:
-        return _in_turn(bench, plans, advance)
-    return _at_once(bench.lightened(), plans, min(processes, len(plans)), advance)
+    shop = Workshop(bench)
+    compiled = make_ready(shop, plans)
+    wanted = min(jobs or worthwhile(plans, cores(), compiled=compiled), len(plans))
+    began = time.perf_counter()
+    if compiled or wanted <= 1:
+        results, interrupted = _in_threads(shop, plans, wanted, advance)
+    else:
+        results, interrupted = _in_processes(bench.lightened(), plans, wanted, advance)
+    return Ran(tuple(results), time.perf_counter() - began, interrupted)
 
 
-def _in_turn(bench: Bench, plans: Sequence[Plan], advance: Advance) -> Ran:
-    results: list[RunResult | None] = [None] * len(plans)
-    before = 0
-    try:
-        for index, plan in enumerate(plans):
-            done = before
-            results[index] = make_run(bench, plan, lambda ticks, done=done: advance(done + ticks))  # type: ignore[misc]
-            before += plan.ticks
-    except KeyboardInterrupt:
-        return Ran(tuple(results), interrupted=True)
-    return Ran(tuple(results))
+def make_ready(shop: Workshop, plans: Sequence[Plan]) -> bool:
+    """Start one world of each arm: what is wrong with it is known at once, and its kernel is compiled once, here.
+
+    Returns:
+        Whether all arms run compiled.
+    """
+    arms = {plan.arm.name: plan for plan in plans}.values()
+    engines = [start_engine(shop.settled(plan), plan.seed, notice=say) for plan in arms]
+    return not any(isinstance(engine, ReferenceEngine) for engine in engines)
 
 
-def make_run(
-    bench: Bench, plan: Plan, progress: Callable[[int], None], cancelled: Callable[[], bool] = lambda: False
-) -> RunResult:
-    """Make one run, here and now."""
-    points = min(max(FEWEST_POINTS, plan.ticks // SLICE), MOST_POINTS)
-    return run(_settled(bench, plan), plan.seed, plan.ticks, points, progress, cancelled)
+def worthwhile(plans: Sequence[Plan], cores: int, *, compiled: bool) -> int:
+    """How many runs at a time pay: threads always do, processes take a second or two to start."""
+    agent_ticks = sum(len(plan.arm.forest().agents()) * plan.ticks for plan in plans)
+    return cores if compiled or agent_ticks >= WORTH_A_PROCESS else 1
 
 
-def _settled(bench: Bench, plan: Plan) -> Treatment:
-    scenario = open_scenario(bench.project, bench.folder, trust=bench.trust)
-    models = classifiers(bench.project, scenario.vocabulary)
-    return treatment(bench.project, scenario, plan.arm, plan.settings, plan.top, models)
-
-
-# ------------------------------------------------------------------------------------------ other processes
-
-#: In a worker process: what it works on, how far each run is, and in the last place whether to stop.
-_work: tuple[Bench, MutableSequence[int]]
-
-
-def _begin(bench: Bench, ticks: MutableSequence[int]) -> None:
-    """Runs first in a worker process. Ctrl-C reaches it, too, but only its parent decides what that means."""
-    global _work  # noqa: PLW0603 - an executor offers its workers no other place
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    _work = bench, ticks
-
-
-def _end_with_parent() -> None:
-    """An executor's worker outlives a parent that was killed; ours does not."""
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-    os._exit(FELL_SHORT)
-
-
-def _make(index: int, plan: Plan) -> RunResult:
-    bench, ticks = _work
+def _made(shop: Workshop, board: Board, index: int, plan: Plan) -> RunResult:
+    """One run that tells the board how far it is, and stops when the board says so."""
 
     def progress(done: int) -> None:
-        ticks[index] = done
+        board[index] = done
 
-    return make_run(bench, plan, progress, lambda: bool(ticks[-1]))
+    return shop.make(plan, progress, lambda: bool(board[-1]))
 
 
-def _at_once(bench: Bench, plans: Sequence[Plan], processes: int, advance: Advance) -> Ran:
+def _in_threads(shop: Workshop, plans: Sequence[Plan], count: int, advance: Advance) -> Made:
+    board = [0] * (len(plans) + 1)
+    with ThreadPoolExecutor(count, thread_name_prefix="world") as pool:
+        futures = [pool.submit(_made, shop, board, index, plan) for index, plan in enumerate(plans)]
+        return _gathered(pool, futures, plans, board, advance)
+
+
+def _in_processes(bench: Bench, plans: Sequence[Plan], count: int, advance: Advance) -> Made:
     context = get_context("spawn")
-    ticks: MutableSequence[int] = context.Array("q", len(plans) + 1, lock=False)
-    with ProcessPoolExecutor(processes, context, _begin, (bench, ticks)) as pool:
+    board: Board = context.Array("q", len(plans) + 1, lock=False)
+    with ProcessPoolExecutor(count, context, _begin, (bench, board)) as pool:
         with _deaf_to_interrupts():  # what is started meanwhile stays so
-            futures = [pool.submit(_make, index, plan) for index, plan in enumerate(plans)]
-        try:
-            interrupted = _watched(futures, lambda: advance(sum(ticks[:-1])))
-        finally:
-            ticks[-1] = 1
-            pool.shutdown(wait=True, cancel_futures=True)
-    return Ran(tuple(_result(future, plan) for future, plan in zip(futures, plans, strict=True)), interrupted)
+            futures = [pool.submit(_made_in_worker, index, plan) for index, plan in enumerate(plans)]
+        return _gathered(pool, futures, plans, board, advance)
+
+
+# ------------------------------------------------------------------------------------------------------ gathering
+
+
+def _gathered(
+    pool: Executor,
+    futures: Sequence[Future[RunResult]],
+    plans: Sequence[Plan],
+    board: Board,
+    advance: Advance,
+) -> Made:
+    """Wait for all runs, or stop them; when this returns or raises, nothing runs any more."""
+    try:
+        interrupted = _watched(futures, lambda: advance(sum(board[:-1])))
+    finally:
+        board[-1] = 1
+        pool.shutdown(wait=True, cancel_futures=True)
+    return [_result(future, plan) for future, plan in zip(futures, plans, strict=True)], interrupted
 
 
 def _watched(futures: Sequence[Future[RunResult]], glance: Callable[[], None]) -> bool:
@@ -172,6 +154,32 @@ def _result(future: Future[RunResult], plan: Plan) -> RunResult | None:
         say(f"the process that ran seed {plan.seed} ended all of a sudden; was there too little memory?")
         return None
     return result if result.ticks == plan.ticks else None
+
+
+# ------------------------------------------------------------------------------------------ other processes
+
+#: In a worker process: what it works with.
+_work: tuple[Workshop, Board]
+
+
+def _begin(bench: Bench, board: Board) -> None:
+    """Runs first in a worker process. Ctrl-C reaches it, too, but only its parent decides what that means."""
+    global _work  # noqa: PLW0603 - an executor offers its workers no other place
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    _work = Workshop(bench), board
+
+
+def _end_with_parent() -> None:
+    """An executor's worker outlives a parent that was killed; ours does not."""
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+    os._exit(FELL_SHORT)
+
+
+def _made_in_worker(index: int, plan: Plan) -> RunResult:
+    return _made(*_work, index, plan)
 
 
 @contextmanager

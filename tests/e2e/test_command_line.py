@@ -165,11 +165,13 @@ BEGINNING, UNDER_WAY = re.compile(rb"Running"), re.compile(rb"\d:\d\d:\d\d")
 
 
 @contextmanager
-def running(boxes: Path, jobs: str) -> Iterator[tuple[subprocess.Popen[bytes], io.FileIO]]:
+def running(boxes: Path, engine: str) -> Iterator[tuple[subprocess.Popen[bytes], io.FileIO]]:
     """Two endless runs on a terminal of their own. The terminal ends once no process holds it any more."""
     ours, theirs = os.openpty()
     started = subprocess.Popen(
-        command("run", boxes, "--ticks", "30000000", "--runs", "2", "--jobs", jobs),
+        command(
+            "run", boxes, "--ticks", "30000000", "--runs", "2", "--jobs", "2", "--set", f"engine={engine}"
+        ),
         stdout=subprocess.DEVNULL,
         stderr=theirs,
         env=environment(TERM="xterm", COLUMNS="80"),
@@ -181,12 +183,16 @@ def running(boxes: Path, jobs: str) -> Iterator[tuple[subprocess.Popen[bytes], i
     started.wait(timeout=60)
 
 
-@pytest.mark.parametrize(("jobs", "moment"), [("1", UNDER_WAY), ("2", UNDER_WAY), ("2", BEGINNING)])
+@pytest.mark.parametrize(
+    ("engine", "moment"),
+    [("compiled", UNDER_WAY), ("reference", UNDER_WAY), ("reference", BEGINNING)],
+    ids=["threads", "processes", "processes as they start"],
+)
 def test_ctrl_c_ends_the_program_and_all_its_processes(
-    jobs: str, moment: re.Pattern[bytes], boxes: Path
+    engine: str, moment: re.Pattern[bytes], boxes: Path
 ) -> None:
     """As a terminal sends it: to the whole process group."""
-    with running(boxes, jobs) as (started, terminal):
+    with running(boxes, engine) as (started, terminal):
         said = read_until(terminal, moment)
         os.killpg(started.pid, signal.SIGINT)
         said += read_until(terminal)
@@ -196,7 +202,7 @@ def test_ctrl_c_ends_the_program_and_all_its_processes(
 
 
 def test_no_process_outlives_a_program_that_is_killed(boxes: Path) -> None:
-    with running(boxes, "2") as (started, terminal):
+    with running(boxes, "reference") as (started, terminal):
         read_until(terminal, UNDER_WAY)
         started.kill()
         read_until(terminal)

@@ -10,8 +10,9 @@ import pytest
 from app.cli import main
 from app.cli.console import Advance
 from app.cli.pictures import Shown, figure_of_runs, structure
-from app.cli.run import SMALL_WORK, Request, columns, means, rows, worthwhile
-from app.cli.worlds import Bench, Plan, Ran, run_plans
+from app.cli.plans import Bench, Plan
+from app.cli.run import columns, means, rows
+from app.cli.worlds import WORTH_A_PROCESS, Ran, run_plans, worthwhile
 from app.core.errors import ScenarioError
 from app.editor.figures import FORMATS, FigureError
 from app.engine.runs import Curve, RunResult
@@ -74,10 +75,14 @@ def test_settings_reach_the_world(folder: Path, capsys: pytest.CaptureFixture[st
     assert counts[1] > 0
 
 
-def test_the_same_seed_gives_the_same_numbers_however_many_processes(folder: Path) -> None:
-    bench = Bench(project(), folder)
-    plans = [Plan(ARMS[1], seed, 60) for seed in (1, 2, 3)]
-    assert run_plans(bench, plans, 1, lambda _: None) == run_plans(bench, plans, 2, lambda _: None)
+def test_the_same_seed_gives_the_same_numbers_in_turn_on_threads_and_in_processes(folder: Path) -> None:
+    def results(engine: str, jobs: int) -> tuple[RunResult | None, ...]:
+        plans = [Plan(ARMS[1], seed, 60, {"engine": engine}) for seed in (1, 2, 3)]
+        return run_plans(Bench(project(), folder), plans, jobs, lambda _: None).results
+
+    in_turn = results("reference", 1)
+    assert None not in in_turn
+    assert in_turn == results("compiled", 2) == results("reference", 2)
 
 
 def test_runs_are_a_table_with_their_mean(folder: Path) -> None:
@@ -98,10 +103,13 @@ def test_where_nothing_ran_there_is_no_mean() -> None:
     assert (means([]), rows([]), columns([])) == ({}, [], ["seed", "stalled"])
 
 
-def test_processes_are_started_only_where_they_pay(folder: Path) -> None:
-    request = Request(folder, None, None, 1, 1, 1, (), None, trust=False)
-    assert worthwhile(request, 1) == 1
-    assert worthwhile(replace(request, ticks=SMALL_WORK), 1) >= 1
+@pytest.mark.parametrize(
+    ("agent_ticks", "compiled", "jobs"),
+    [(1, True, 4), (1, False, 1), (WORTH_A_PROCESS, True, 4), (WORTH_A_PROCESS, False, 4)],
+)
+def test_processes_are_started_only_where_they_pay(*, agent_ticks: int, compiled: bool, jobs: int) -> None:
+    plans = [Plan(ARMS[0], seed, agent_ticks // 20 + 1) for seed in (1, 2)]  # of ten agents
+    assert worthwhile(plans, 4, compiled=compiled) == jobs
 
 
 def test_a_stale_behavior_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -195,14 +203,13 @@ def interrupting(after: int) -> Advance:
     return advance
 
 
-@pytest.mark.parametrize("processes", [1, 2])
-def test_ctrl_c_ends_all_runs_and_keeps_the_finished_ones(processes: int, folder: Path) -> None:
-    short, endless = (1, 2), (3, 4)
-    plans = [
-        *(Plan(ARMS[0], seed, 10) for seed in short),
-        *(Plan(ARMS[0], seed, ENDLESS) for seed in endless),
-    ]
-    ran = run_plans(Bench(project(), folder), plans, processes, interrupting(after=2_000))
+@pytest.mark.parametrize(
+    ("engine", "jobs"), [("compiled", 1), ("compiled", 2), ("reference", 1), ("reference", 2)]
+)
+def test_ctrl_c_ends_all_runs_and_keeps_the_finished_ones(engine: str, jobs: int, folder: Path) -> None:
+    lengths = (10, 10, ENDLESS, ENDLESS)
+    plans = [Plan(ARMS[0], seed, ticks, {"engine": engine}) for seed, ticks in enumerate(lengths)]
+    ran = run_plans(Bench(project(), folder), plans, jobs, interrupting(after=2_000))
     assert ran.interrupted
     assert ran.results[2:] == (None, None)
     # Runs begin in their order, so whoever works on an endless one has finished a short one.
@@ -212,7 +219,9 @@ def test_ctrl_c_ends_all_runs_and_keeps_the_finished_ones(processes: int, folder
 def test_what_was_finished_is_shown_when_the_user_interrupts(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("app.cli.run.run_plans", lambda *_: Ran((result(1, 4.0), None), interrupted=True))
+    monkeypatch.setattr(
+        "app.cli.run.run_plans", lambda *_: Ran((result(1, 4.0), None), 1.0, interrupted=True)
+    )
     assert main(["run", str(folder), "--runs", "2", "--json"]) == 130
     out, err = capsys.readouterr()
     assert [run["seed"] for run in json.loads(out)["runs"]] == [1]
@@ -223,7 +232,7 @@ def test_what_was_finished_is_shown_when_the_user_interrupts(
 def test_a_run_that_is_lost_falls_short(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("app.cli.run.run_plans", lambda *_: Ran((result(1, 4.0), None)))
+    monkeypatch.setattr("app.cli.run.run_plans", lambda *_: Ran((result(1, 4.0), None), 1.0))
     assert main(["run", str(folder), "--runs", "2"]) == 1
 
 
