@@ -26,12 +26,17 @@ class Shown:
     results: tuple[RunResult, ...]
 
 
-def figure_of_runs(title: str, subtitle: str, scenario: Scenario, arms: Sequence[Shown]) -> Figure:
-    """The scenario's first measure over time, a line an arm, and how the world of each arm's first run ended.
+def figure_of_runs(
+    title: str, subtitle: str, scenario: Scenario, arms: Sequence[Shown], measure: str = ""
+) -> Figure:
+    """A measure over time, a line an arm, and how the world of each arm's first run ended.
 
     Where an arm has several runs, they are faint lines behind their mean.
+
+    Args:
+        measure: The scenario's first one if it has none of this name.
     """
-    measure = next(iter(scenario.measures))
+    measure = measure if measure in scenario.measures else next(iter(scenario.measures))
     series = [line for color, shown in enumerate(arms) for line in _lines(shown, measure, color, len(arms))]
     worlds = [_world(shown, measure, scenario, color) for color, shown in enumerate(arms)]
     return Figure(

@@ -26,6 +26,9 @@ DEMONSTRATED = "foraging"
 PICTURE = Path("understudy-demonstration.png")
 #: A project's first arms are shown: in the shipped project, agents alone and under one and two levels of controllers.
 MOST_ARMS = 3
+#: They are shown in this world if the project has it, by this measure if the scenario has that: with boxes of two sizes
+#: and by the weight of what was delivered, one level of controllers can be told from two.
+SHOWN_WORLD, SHOWN_MEASURE = "two sizes", "weight"
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +100,7 @@ def story(taught: Taught) -> str:
 def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, seed: int, trust: bool) -> int:
     """Run each arm once, and end with numbers and a picture."""
     project = taught.opened.project
-    arms = project.arms[:MOST_ARMS]
+    arms = shown_arms(project)
     for arm in arms:
         refuse(project, taught.opened.scenario.vocabulary, arm.name)
     ran = run_arms(taught.opened, arms, ticks=ticks, seed=seed, trust=trust)
@@ -114,6 +117,12 @@ def show_arms(taught: Taught, picture: Path | None, *, dark: bool, ticks: int, s
         return INTERRUPTED
     drawn = bool(done) and _draw(taught, done, picture, dark=dark)
     return DONE if drawn and len(done) == len(arms) else FELL_SHORT
+
+
+def shown_arms(project: Project) -> tuple[Arm, ...]:
+    """The arms to show, where they are to be seen."""
+    arms = project.arms[:MOST_ARMS]
+    return tuple(replace(arm, world=SHOWN_WORLD) for arm in arms) if SHOWN_WORLD in project.worlds else arms
 
 
 def run_arms(opened: Opened, arms: Sequence[Arm], *, ticks: int, seed: int, trust: bool) -> Ran:
@@ -144,9 +153,10 @@ def _draw(taught: Taught, done: Sequence[tuple[Arm, RunResult]], picture: Path |
     learned = (
         f"behaviors learned from {counted(taught.examples, 'example')} · " if taught.demonstrations else ""
     )
-    subtitle = f"{learned}one run of {counted(result.ticks, 'tick')} each, seed {result.seed}"
+    place = f" · world: {done[0][0].world}" if done[0][0].world else ""
+    subtitle = f"{learned}one run of {counted(result.ticks, 'tick')} each, seed {result.seed}{place}"
     shown = [Shown(arm, _parameters(opened, arm), (one,)) for arm, one in done]
-    figure = figure_of_runs(title, subtitle[0].upper() + subtitle[1:], opened.scenario, shown)
+    figure = figure_of_runs(title, subtitle[0].upper() + subtitle[1:], opened.scenario, shown, SHOWN_MEASURE)
     if picture is None and not writable(Path.cwd()):
         picture = Path(tempfile.mkdtemp(prefix=f"{PROGRAM}-")) / PICTURE
         say(f"the current folder cannot be written to, so the picture goes to {picture.parent}")
