@@ -174,17 +174,12 @@ def markdown(found: Findings, files: Files, command: str) -> str:
     """
     experiment = found.experiment
     parts = [f"# {experiment.title}", experiment.note, *(_picture(figure) for figure in _pictures(files))]
-    parts += [
-        _setting(experiment),
-        _table(arm_columns(found), arm_rows(found), words=1 + len(experiment.factors)),
-    ]
+    parts.append(_setting(experiment))
+    parts.append(_table(arm_columns(found), arm_rows(found), words_in_arms(experiment)))
     if found.claims:
-        parts += [
-            "## Claims",
-            _verdicts(found.claims),
-            _table(claim_columns(found), claim_rows(found), words=9),
-        ]
-        parts.append(_tested(found))
+        parts += ["## Claims", _verdicts(found.claims), _tested(found)]
+        parts += _overview(found) if experiment.factors else []
+        parts.append(_table(claim_columns(found), claim_rows(found), words=len(claim_columns(found))))
     parts.append(f"Made by\n\n    {command}")
     return "\n\n".join(part for part in parts if part) + "\n"
 

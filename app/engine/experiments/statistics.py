@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-#: How sure intervals and verdicts are.
-CONFIDENCE = 0.95
+#: How sure intervals and verdicts are, and how easily chance may bring a significant difference about.
+CONFIDENCE, LEVEL = 0.95, 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +111,7 @@ class Verdict(StrEnum):
 
 def significant(p: float | None) -> bool:
     """Whether a corrected p is small enough."""
-    return p is not None and p < 1.0 - CONFIDENCE
+    return p is not None and p < LEVEL
 
 
 def greater(a: Sample, b: Sample, p: float | None) -> Verdict:

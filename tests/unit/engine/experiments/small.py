@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from app.core.project import Arm, LevelTable, Project
+from app.core.project import Arm, LevelTable, Project, Value
 from app.engine.experiments.fingerprint import fingerprint_of
 from app.engine.experiments.plan import Experiment, Factor, Level, Treated
 from app.engine.experiments.store import Results, Row
@@ -20,7 +20,12 @@ ARMS = (
     Arm("one level", LevelTable((2, 2), (GROUP, AGENT)), "ControlForage"),
 )
 #: Boxes that one agent can pull, wherever it stands: something is delivered within a few ticks.
-EASY = {"engine": "reference", "world.width": 20.0, "world.height": 20.0, "world.deposit_x": 10.0}
+EASY: dict[str, Value] = {
+    "engine": "reference",
+    "world.width": 20.0,
+    "world.height": 20.0,
+    "world.deposit_x": 10.0,
+}
 EASY |= {"world.deposit_y": 10.0, "world.deposit_range": 3.0, "world.pullers": 1}
 
 

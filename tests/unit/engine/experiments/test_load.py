@@ -76,7 +76,9 @@ def test_a_folder_without_experiments_holds_none(tmp_path: Path) -> None:
 
 
 def arm(**settings: Any) -> dict[str, Any]:
-    return document(arms=[{"name": "alone", "arm": "independent", "settings": {**EASY, **settings}}], claims=[])
+    return document(
+        arms=[{"name": "alone", "arm": "independent", "settings": {**EASY, **settings}}], claims=[]
+    )
 
 
 @pytest.mark.parametrize(

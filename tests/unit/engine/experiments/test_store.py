@@ -46,7 +46,9 @@ def test_only_runs_and_cells_that_are_asked_for_count(tmp_path: Path) -> None:
 
 def test_results_of_another_experiment_are_refused_with_what_differs_and_what_to_do(tmp_path: Path) -> None:
     said = refusal(filled(tmp_path / "r.sqlite"), {**OURS, "ticks": "70"})
-    assert "r.sqlite: these are results of another experiment; what differs: ticks; move the file away" in said
+    assert (
+        "r.sqlite: these are results of another experiment; what differs: ticks; move the file away" in said
+    )
     assert "--out" in said
 
 
@@ -113,17 +115,21 @@ def test_two_programs_do_not_write_the_same_results(tmp_path: Path, monkeypatch:
         assert "another program is writing to it" in refusal(tmp_path / "r.sqlite")
 
 
+def fill(results: Results) -> None:
+    for run in range(1000):
+        results.add(row(0, run, {"boxes": 1.0}))
+
+
 def test_a_disk_that_fills_up_keeps_what_was_written(tmp_path: Path) -> None:
     path = tmp_path / "r.sqlite"
-    written = 0
     with Results.open(path, OURS) as results:
         results._connection.execute("PRAGMA max_page_count = 12")
         with pytest.raises(ResultsError, match="the disk is full; all finished runs are kept: make room"):
-            for run in range(1000):
-                results.add(row(0, run, {"boxes": 1.0}))
-                written += 1
+            fill(results)
     with Results.open(path, OURS) as results:
-        assert results.count(1, 1000) == written > 0
+        kept = results.count(1, 1000)
+        assert 0 < kept < 1000
+        assert [found.run for found in results.rows(0, 1000)] == list(range(kept))
 
 
 def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
