@@ -6,13 +6,13 @@ from ..bodies import Bodies
 from ..geometry import wrapped
 from ..motion import MOTION_COLUMNS, Arrays
 from ..scenario import Scenario, World
-from .space import AGENT_MASS, WIDTH, Flags, Floats, Sizes, Space, Wholes
+from .space import AGENT_MASS, WIDTH, Exchange, Flags, Floats, Sizes, Space, Wholes
 
 #: Every so many ticks the space is built anew, so that runs which begin at such a tick go on as the others do.
 KEYFRAME = 240
 _READ = ("clock", "x", "y", "heading", "drive", "turn", *(column.name for column in MOTION_COLUMNS))
 _WRITTEN = ("x", "y", "heading", *(column.name for column in MOTION_COLUMNS))
-_TICK = 2
+_TICK, _TINY = 2, 1e-300
 
 
 class RigidPhysics:
@@ -26,6 +26,7 @@ class RigidPhysics:
         self._first = int(getattr(world, f"first_{bodies.loads}"))
         self._loads = slice(self._first, self._first + sizes.loads)
         self._entities = entities_of(sizes.agents, self._loads)
+        self._exchange = Exchange(sizes)
         self._space: Space | None = None
 
     def forget(self) -> None:
@@ -54,10 +55,10 @@ class RigidPhysics:
         held = arrays[self._bodies.held][:agents]
         self._drive(state, wishes, held < 0)
         space = self._current(arrays, state, np.where(held < 0, -1, held - self._first), drive != 0.0)
-        space.state[:] = state
-        space.wishes[:] = wishes
-        space.step()
-        self._write(arrays, space.state)
+        self._exchange.state[:] = state
+        self._exchange.wishes[:] = wishes
+        space.step(self._exchange)
+        self._write(arrays, self._exchange.state)
 
     def _drive(self, state: Floats, wishes: Floats, free: Flags) -> None:
         """Bring agents that hold nothing nearer to the velocities that they want, as far as their force goes."""
@@ -65,7 +66,7 @@ class RigidPhysics:
         change = wishes - velocity
         size = np.sqrt(change[:, 0] * change[:, 0] + change[:, 1] * change[:, 1])
         most = self._sizes.pull / AGENT_MASS
-        share = np.where(size > most, most / np.maximum(size, most), 1.0) * free
+        share = np.where(size > most, most / np.maximum(size, _TINY), 1.0) * free
         velocity += change * share[:, None]
 
     def _turn(self, arrays: Arrays) -> None:

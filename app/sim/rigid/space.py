@@ -10,7 +10,7 @@
 """
 
 from dataclasses import dataclass
-from math import cos, sin
+from math import cos, inf, sin
 
 import numpy as np
 import pymunk
@@ -64,54 +64,38 @@ class Sizes:
 
 
 class Space:
-    """Agents, then loads, then for each agent a body that moves as it wants to.
-
-    Attributes:
-        state: A row for each agent and load, see `WIDTH`; `step` takes it to the next tick.
-        wishes: For each agent the velocity that it wants, along x and y.
-    """
+    """Agents, then loads, then for each agent a body that moves as it wants to."""
 
     def __init__(self, sizes: Sizes, state: Floats, needed: Wholes, held: Wholes, powered: Flags) -> None:
         """Build it.
 
         Args:
-            state: Rows for agents and loads.
+            state: Rows for agents and loads, see `WIDTH`.
             needed: For each load.
             held: For each agent, the number of its load among the loads, or -1.
             powered: For each agent, whether it drives.
         """
         self._sizes = sizes
         self._space = _empty(sizes)
-        agents, bodies = sizes.agents, sizes.agents + sizes.loads
+        agents = sizes.agents
         self._agents = [self._disc(AGENT_MASS, sizes.agent_radius, row) for row in state[:agents]]
         self._loads = [
-            self._disc(MASS_NEEDED * float(n), sizes.load_radius, row, load=True)
+            self._disc(MASS_NEEDED * max(1.0, float(n)), sizes.load_radius, row, load=True)
             for n, row in zip(needed, state[agents:], strict=True)
         ]
         for load, n in zip(self._loads, needed, strict=True):
             self._lay_down(load, float(n))
         self._wishes = [pymunk.Body(body_type=pymunk.Body.KINEMATIC) for _ in self._agents]
         self._space.add(*self._wishes)
-        self._open_buffers(bodies)
         self._hanging: dict[int, tuple[pymunk.PivotJoint, pymunk.PivotJoint]] = {}
         self._held, self._powered = np.full(agents, -1, np.int64), np.zeros(agents, bool)
         self.attach(state, held, powered)
 
-    def _open_buffers(self, bodies: int) -> None:
-        """Room for the batch calls, which go through the bodies in the order in which they were added."""
-        agents = self._sizes.agents
-        everyone = len(self._space.bodies) + 1  # with the ground
-        self._out, self._in = np.zeros((everyone, WIDTH)), np.zeros((everyone + 1, WIDTH))
-        self._writer, self._reader = batch.Buffer(), batch.Buffer()
-        self._writer.set_float_buf(self._out)
-        self._reader.set_float_buf(self._in)
-        self.state, self.wishes = self._out[:bodies], self._out[bodies : bodies + agents, 3:5]
-        self._after = self._in[:bodies]
-
     # ---------------------------------------------------------------------------------------------- bodies
 
     def _disc(self, mass: float, radius: float, row: Floats, *, load: bool = False) -> pymunk.Body:
-        body = pymunk.Body(mass, pymunk.moment_for_circle(mass, 0.0, radius))
+        moment = pymunk.moment_for_circle(mass, 0.0, radius) if load and radius > 0.0 else inf
+        body = pymunk.Body(mass, moment)
         body.position = (float(row[0]), float(row[1]))
         body.angle = float(row[2])
         shape = pymunk.Circle(body, radius)
@@ -127,7 +111,7 @@ class Space:
         slide = pymunk.PivotJoint(ground, load, (0.0, 0.0), (0.0, 0.0))
         turn = pymunk.GearJoint(ground, load, 0.0, 1.0)
         slide.max_bias = turn.max_bias = 0.0
-        slide.max_force = (needed - self._sizes.reserve) * self._sizes.pull
+        slide.max_force = max(0.0, needed - self._sizes.reserve) * self._sizes.pull
         turn.max_force = slide.max_force * self._sizes.load_radius * 2.0 / 3.0
         self._space.add(slide, turn)
 
@@ -158,20 +142,53 @@ class Space:
 
     # ---------------------------------------------------------------------------------------------- passing
 
-    def step(self) -> None:
+    def step(self, exchange: "Exchange") -> None:
         """Pass a tick: velocities follow from forces, then positions from velocities.
 
         pymunk moves bodies first, by the velocities that they have; so it is given the places from which these lead to where
         the bodies are.
         """
-        self.state[:, 0:3] -= self.state[:, 3:6]
-        batch.set_space_bodies(self._space, FIELDS, self._writer)
+        state = exchange.state
+        state[:, 0:3] -= state[:, 3:6]
+        exchange.put(self._space)
         self._space.step(1.0)
         self._space.iterations = ITERATIONS
+        exchange.get(self._space)
+        state[:, 0:3] += state[:, 3:6]
+
+
+class Exchange:
+    """What goes into a space and comes out of it, through batch calls, which take the bodies as they were added.
+
+    It outlives its spaces: pymunk does not free what belongs to a buffer.
+
+    Attributes:
+        state: A row for each agent and load, see `WIDTH`; `Space.step` takes it to the next tick.
+        wishes: For each agent the velocity that it wants, along x and y.
+    """
+
+    def __init__(self, sizes: Sizes) -> None:
+        bodies = sizes.agents + sizes.loads
+        everyone = bodies + sizes.agents + 1  # with the ground
+        self._out = np.zeros((everyone, WIDTH))
+        self._in = np.zeros(
+            (everyone + 1, WIDTH)
+        )  # room to spare: pymunk must not enlarge what is not its own
+        self._writer, self._reader = batch.Buffer(), batch.Buffer()
+        self._writer.set_float_buf(self._out)
+        self._reader.set_float_buf(self._in)
+        self.state, self._after = self._out[:bodies], self._in[:bodies]
+        self.wishes = self._out[bodies : bodies + sizes.agents, 3:5]
+
+    def put(self, space: pymunk.Space) -> None:
+        """Give the bodies their states and wishes."""
+        batch.set_space_bodies(space, FIELDS, self._writer)
+
+    def get(self, space: pymunk.Space) -> None:
+        """Take the states of agents and loads."""
         self._reader.clear()
-        batch.get_space_bodies(self._space, FIELDS, self._reader)
+        batch.get_space_bodies(space, FIELDS, self._reader)
         self.state[:] = self._after
-        self.state[:, 0:3] += self.state[:, 3:6]
 
 
 def _seen_from(load: Floats, agent: Floats) -> tuple[float, float]:

@@ -303,6 +303,15 @@ def test_a_kinematic_moment_can_be_gone_back_to_with_everything_at_rest() -> Non
     bodies.step()
 
 
+def test_agents_without_speed_stay_where_they_are() -> None:
+    arena = RigidArena(2, step=0.0)
+    arena.ring(0, 60.0, 60.0, 0)
+    arena.tell("Forward")
+    arena.tick(10)
+    assert arena.at(1) == (22.0, 20.0)
+    assert arena.at(arena.box()) == pytest.approx((60.0, 60.0))
+
+
 def test_how_ticks_are_cut_into_steps_does_not_matter() -> None:
     whole, cut = (rigid(groups(2, 5), "ControlForage", boxes=6, pullers=2) for _ in range(2))
     whole.step(KEYFRAME + 100)
