@@ -215,8 +215,10 @@ def where_of(demonstration: Demonstration) -> Where:
 
 
 def _untaught(project: Project, taught: Collection[Where]) -> Project:
-    """*project* as it was before these automata were taught."""
+    """*project* as it was before these automata were taught; those that are gone cannot be, which playing will tell."""
     for where in taught:
+        if where[1] not in project.library(where[0]).automata:
+            continue
         project = replace_examples(project, *where, (), {})
         project = set_learned(project, *where, {}, "")
     return project

@@ -11,7 +11,7 @@ from ..core.automaton import Basic, Content, Nested, State
 from ..core.binding import bind
 from ..core.edits.examples import Recorded, next_pick
 from ..core.edits.picking import state_for
-from ..core.errors import SessionError
+from ..core.errors import SessionError, UnderstudyError
 from ..core.examples import Example, Moment
 from ..core.hierarchy import Node
 from ..core.machine_state import MachineState, freeze
@@ -109,16 +109,27 @@ class Lesson:
             values = seen(engine.machine, engine.senses, actor, run, automaton_of(engine.machine, self.plan))
             self._departures.note(actor.node.id, Departure(run.state, values, engine.tick))
 
-    def project_changed(self) -> None:
-        """Go on after an edit of the project; picks of states that are gone will not be carried out.
+    def project_changed(self) -> list[str]:
+        """Go on after an edit of the project; returns what picks cannot be carried out any more, and why.
 
         Raises:
             SessionError, LibraryError: The lesson cannot go on, see `check_plan`.
         """
-        machine = self._engine.machine
-        check_plan(machine, self.plan)
-        automaton = automaton_of(machine, self.plan)
-        self._acts = [act if automaton.has_state(act.goal) else replace(act, done=True) for act in self._acts]
+        check_plan(self._engine.machine, self.plan)
+        lost = {act.node: why for act in self._acts if not act.done and (why := self._obstacle(act))}
+        self._acts = [replace(act, done=True) if act.node in lost else act for act in self._acts]
+        return [f"what was picked for {node!r} is not done: {why}" for node, why in lost.items()]
+
+    def _obstacle(self, act: Act) -> str:
+        """Why a pick cannot be carried out; empty if it can."""
+        automaton = automaton_of(self._engine.machine, self.plan)
+        if not automaton.has_state(act.goal):
+            return f"the state {act.goal!r} is gone from {automaton.name!r}"
+        try:
+            self._refuse_open(*self._running(act.node), automaton.state(act.goal))
+        except UnderstudyError as error:
+            return str(error)
+        return ""
 
     # -------------------------------------------------------------------------------------------- picking
 

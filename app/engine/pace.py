@@ -1,8 +1,7 @@
 """How many ticks to pass when, so that time in the world keeps pace with time outside."""
 
 from collections.abc import Callable
-
-from .session import Session
+from typing import Protocol
 
 #: Ticks a second at speed 1.
 TICKS_PER_SECOND = 60
@@ -12,10 +11,32 @@ SLICE = 0.01
 FRAME = 1 / 60
 #: A world that cannot keep up with the speed asked for is not chased further than this, in seconds.
 MOST_BEHIND = 0.1
+#: A slice has at most so many times the ticks of the slice before: what a tick costs may have been a bad guess.
+GROWTH = 4
 #: Over how long the rate is measured, in seconds.
 WINDOW = 0.5
 #: A tick that is due within rounding is due.
 ROUNDING = 1e-6
+
+
+class Timed(Protocol):
+    """What ticks are dealt out to: a session."""
+
+    speed: float | None
+    due: int
+    revision: int
+
+    @property
+    def playing(self) -> bool:
+        """Whether time is to pass."""
+
+    @property
+    def acknowledged(self) -> int:
+        """The last ticket that was dealt with."""
+
+    @property
+    def mode(self) -> object:
+        """What it is for at the moment."""
 
 
 class Pace:
@@ -35,7 +56,7 @@ class Pace:
         self._window, self._count = self._last, 0
         self.rate = 0.0
 
-    def delay(self, session: Session) -> float | None:
+    def delay(self, session: Timed) -> float | None:
         """Seconds until ticks are due, not sooner than a slice after the last; None if none are before a command."""
         if not session.playing:
             return None
@@ -45,7 +66,7 @@ class Pace:
         next_tick = (1.0 - self._owed) / rate - since if self._going else 0.0
         return max(0.0, next_tick, SLICE - since)
 
-    def ticks(self, session: Session) -> int:
+    def ticks(self, session: Timed) -> int:
         """How many ticks to pass now."""
         now = self._clock()
         elapsed, self._last = now - self._last, now
@@ -58,14 +79,14 @@ class Pace:
         self._measure(now)
         return self._dealt(session, elapsed)
 
-    def _dealt(self, session: Session, elapsed: float) -> int:
+    def _dealt(self, session: Timed, elapsed: float) -> int:
         most = self._most(session)
         if session.due:
             return min(session.due, most)
         if session.speed is None:
             return most
         rate = session.speed * TICKS_PER_SECOND
-        behind = max(1.0, min(MOST_BEHIND * rate, most + 1.0))
+        behind = max(2.0, min(MOST_BEHIND * rate, most + 1.0))
         self._owed = min(self._owed + elapsed * rate, behind)
         ticks = min(int(self._owed + ROUNDING), most)
         self._owed -= ticks
@@ -74,11 +95,11 @@ class Pace:
     def passed(self, ticks: int) -> None:
         """The ticks dealt out last have passed."""
         seconds = self._clock() - self._last
-        self._cost = max(seconds / ticks, self._cost / 2, 1e-7)  # twice as many at most next time
+        self._cost = max(seconds / ticks, self._cost / GROWTH, 1e-7)
         self._count += ticks
 
-    def _most(self, session: Session) -> int:
-        """How many ticks fit a slice; after anything that may change what they cost, one, then two, four, and so on."""
+    def _most(self, session: Timed) -> int:
+        """How many ticks fit a slice; after anything that may change what they cost, one, then more."""
         seen = session.acknowledged, session.revision, session.mode
         if seen != self._seen:
             self._seen, self._cost = seen, SLICE

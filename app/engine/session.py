@@ -377,7 +377,7 @@ class Session:
         self._events += [Interrupted(loss) for loss in losses(before, places(machine))]
         if self._lesson is not None:
             try:
-                self._lesson.project_changed()
+                self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]
             except UnderstudyError as error:
                 self._lesson, self._waits_for = None, None
                 self.speed, self.due = 0.0, 0
