@@ -13,11 +13,20 @@ CLONE = ROOT.parent
 
 def shipped_project(name: str) -> Path:
     """The folder of a project that ships with Understudy: beside an installed package, or in a clone."""
-    places = [ROOT / "projects" / name, CLONE / "projects" / name]
+    return _shipped(Path("projects", name))
+
+
+def shipped_bench(name: str) -> Path:
+    """The folder of a project that only `understudy bench` looks at."""
+    return _shipped(Path("resources", "bench", name))
+
+
+def _shipped(path: Path) -> Path:
+    places = [ROOT / path, CLONE / path]
     for place in places:
         if place.is_dir():
             return place
-    raise StorageError(f"the project {name!r} is missing; looked for it in {places[0]} and {places[1]}")
+    raise StorageError(f"the project {path.name!r} is missing; looked for it in {places[0]} and {places[1]}")
 
 
 def cores() -> int:

@@ -282,6 +282,36 @@ def demonstrate(
     return demonstrate_project(project, behaviors or [], only_check=only_check, trust=trust, as_json=as_json)
 
 
+@verbs.command(
+    epilog=examples(
+        "understudy bench",
+        "understudy bench --full --json > figures.json",
+        "understudy bench threads 'by hand'",
+    )
+)
+def bench(
+    figures: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="FIGURE", help="Words in the names of figures to take; without, all that are quick."
+        ),
+    ] = None,
+    full: Annotated[
+        bool,
+        typer.Option("--full", help="Those that take minutes as well, the paper's evaluation among them."),
+    ] = False,
+    as_json: Json = False,
+) -> int:
+    """Measure how fast Understudy is on this machine, and compare that with its goals.
+
+    A missed goal is no failure: the exit code is 0 once everything has been measured. After Ctrl-C, what had been measured
+    is printed. On a busy machine figures are worse than the machine is.
+    """
+    from .bench import measure
+
+    return measure(figures or [], full=full, as_json=as_json)
+
+
 @verbs.command(epilog=examples("understudy doctor", "understudy doctor --json"))
 def doctor(as_json: Json = False) -> int:
     """Say what is installed and what is missing, with the command that mends it."""
