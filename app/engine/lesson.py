@@ -22,7 +22,7 @@ from ..sim.engine import Control, Engine
 from .acts import Act, part_of, past, put_back
 from .commands import Teach
 from .departures import Departure, Departures
-from .moments import take
+from .moments import forest_hash, take
 from .plan import automaton_of, check_plan, is_taught_one, some, still_nodes
 from .recording import Triple, on_entry, seen, triples
 from .runs import Treatment
@@ -56,6 +56,7 @@ class Lesson:
         self.treatment = treatment
         self._engine = engine
         self._forest = treatment.arm.forest()
+        self._forest_hash = forest_hash(self._forest)
         self._acts = past(earlier)
         check_plan(engine.machine, plan)
         self._begin(node for node in self._forest.walk() if node.id in self.taught)
@@ -250,7 +251,7 @@ class Lesson:
         return Act(node_id, recorded, goal, before, node_id in self.taught)
 
     def _moment(self) -> Moment:
-        return take(self._engine, self.treatment)
+        return take(self._engine, self.treatment, self._forest_hash)
 
     def _filed(
         self,

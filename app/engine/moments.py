@@ -14,9 +14,13 @@ FOREST = "forest"
 DIGITS = 16
 
 
-def take(engine: Engine, of: Treatment) -> Moment:
-    """The world and what all nodes do, now."""
-    machine = {**freeze(engine.machine), FOREST: forest_hash(of.arm.forest())}
+def take(engine: Engine, of: Treatment, forest: str) -> Moment:
+    """The world and what all nodes do, now.
+
+    Args:
+        forest: The `forest_hash` of the nodes.
+    """
+    machine = {**freeze(engine.machine), FOREST: forest}
     return Moment(of.scenario.name, of.parameters, of.arm.name, engine.frozen_world(), machine)
 
 

@@ -196,7 +196,7 @@ class Session:
         taught = self._lesson.taught if self._lesson else frozenset()
         return {
             node_id: view(actor, taught=node_id in taught)
-            for node_id, actor in self._engine.machine.actors.items()
+            for node_id, actor in self._engine.shown.actors.items()
         }
 
     # ------------------------------------------------------------------------------------------- time

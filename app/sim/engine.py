@@ -64,6 +64,10 @@ class Engine(Protocol):
         """What all nodes do now."""
 
     @property
+    def shown(self) -> Machine:
+        """The same, only to be looked at, which may be faster."""
+
+    @property
     def senses(self) -> Senses:
         """What can be sensed now."""
 

@@ -41,6 +41,11 @@ class ReferenceEngine:
         """The tick that comes next; as many have passed."""
         return int(self.world.clock[TICK])
 
+    @property
+    def shown(self) -> Machine:
+        """What all nodes do now, only to be looked at."""
+        return self.machine
+
     def step(self, ticks: int = 1, control: Control = FREE) -> None:
         """Pass ticks: sense and decide, act, resolve, move, after-tick rules."""
         for _ in range(ticks):

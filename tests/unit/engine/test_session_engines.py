@@ -1,0 +1,86 @@
+"""A session gives the same whichever engine steps its world; lessons and free runs may alternate."""
+
+from dataclasses import replace
+
+import pytest
+
+from app.core.library import Library
+from app.core.project import Arm, LevelTable, Project, Value
+from app.engine.commands import (
+    MoveEntity,
+    Others,
+    Pick,
+    Reset,
+    RunArm,
+    ShouldNotHaveLeft,
+    Step,
+    Teach,
+    UndoPick,
+    UseArm,
+)
+from app.engine.commands import Test as LearnAndTest
+from app.engine.session import Session
+from app.engine.snapshots import Snapshot
+from app.sim.scenarios.foraging import scenario
+from tests.foragers import control_forage, forage, goto, release, return_with_box, wander
+from tests.samples import AGENT, GROUP, TYPES
+
+
+def foragers() -> Project:
+    agents = (
+        wander(),
+        goto(),
+        return_with_box(),
+        forage(),
+        release(),
+        replace(wander(), id="w", name="W", rules=()),
+    )
+    return Project(
+        "Foragers",
+        "foraging",
+        TYPES,
+        libraries={
+            AGENT: Library({a.id: a for a in agents}),
+            GROUP: Library({a.id: a for a in (control_forage(),)}),
+        },
+        arms=(
+            Arm("alone", LevelTable((6,), (AGENT,)), "Forage"),
+            Arm("groups", LevelTable((2, 3), (GROUP, AGENT)), "ControlForage"),
+        ),
+    )
+
+
+def hand(engine: str) -> tuple[Project, list[Snapshot]]:
+    """Runs, teaches, tests and corrects in turn."""
+    settings: dict[str, Value] = {"engine": engine, "world.pullers": 2}
+    session = Session(foragers(), scenario, "alone", 5, settings=settings)
+    seen = [session.advance(150), session.advance(1)]
+    session.send(Teach(AGENT, "w", ("agent-2",), others=Others.RUN))
+    for choice, ticks in (("forward", 9), ("left", 20), ("forward", 3), ("right", 4)):
+        session.send(Pick("agent-2", choice))
+        seen.append(session.advance(ticks))
+    session.send(UndoPick())
+    session.send(LearnAndTest())
+    seen.append(session.advance(40))
+    session.send(ShouldNotHaveLeft("agent-1"))
+    session.send(Pick("agent-3", "left"))
+    seen.append(session.advance(7))
+    session.send(RunArm())
+    session.send(MoveEntity(0, 50.0, 60.0))
+    seen += [session.advance(60) for _ in range(3)]
+    session.send(Reset(9))
+    session.send(Step(3))
+    seen.append(session.advance(90))
+    session.send(UseArm("groups", settings))
+    seen += [session.advance(200), session.advance(2)]
+    return session.project, seen
+
+
+@pytest.mark.slow
+def test_a_session_gives_the_same_with_the_compiled_engine_as_with_the_reference() -> None:
+    project, seen = hand("reference")
+    compiled, as_compiled = hand("compiled")
+    assert compiled == project
+    for mine, theirs in zip(seen, as_compiled, strict=True):
+        assert mine == theirs
+    assert len(project.examples_of(AGENT, "w")) >= 6
