@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from app.editor.canvas import SCALE
 from app.editor.curve_painting import (
+    BAND_ALPHA,
     WIDTH,
     abreast,
     height_of,
@@ -40,11 +41,15 @@ def count(picture: QImage, color: QColor) -> int:
 def in_band(line: str, ground: str) -> QColor:
     """The color of a band where nothing else is drawn."""
     over, under = QColor(line), QColor(ground)
-    mixed = [
-        round(0.2 * a + 0.8 * b)
-        for a, b in zip(over.getRgb()[:3], under.getRgb()[:3], strict=True)
-    ]  # fmt: skip
-    return QColor(*mixed)
+    red, green, blue = (
+        round(BAND_ALPHA * a + (1 - BAND_ALPHA) * b)
+        for a, b in (
+            (over.red(), under.red()),
+            (over.green(), under.green()),
+            (over.blue(), under.blue()),
+        )
+    )
+    return QColor(red, green, blue)
 
 
 @pytest.mark.parametrize(

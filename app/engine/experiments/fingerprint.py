@@ -52,7 +52,8 @@ def _behaviors(project: Project, scenario: Scenario, cell: Cell) -> list[Any]:
     project, arm, keys = _keys(project, scenario, cell)
     documents = [(key[0], automaton_document(project.library(key[0]).get(key[1]))) for key in keys]
     for _, document in documents:
-        del document["note"]
+        for words in ("note", "learned_from"):  # which change nothing about what it does
+            del document[words]
     return [asdict(arm.forest()), arm.top, [asdict(kind) for kind in project.types], documents]
 
 

@@ -13,6 +13,7 @@ from app.editor.curves import Chart
 from app.editor.figures import FigureError
 from app.engine.experiments.findings import Findings, findings
 from app.engine.experiments.plan import Design, Experiment, Panel
+from app.engine.experiments.runner import carry_out
 from app.engine.experiments.store import Results
 from tests.unit.cli.foraging import stored
 from tests.unit.engine.experiments.small import boxes, document, experiment, factor, row, written
@@ -78,8 +79,6 @@ def test_runs_of_another_length_get_files_of_their_own(folder: Path) -> None:
 def test_interrupted_it_says_how_to_go_on_and_does(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    carry_out = verb.carry_out
-
     def interrupted(*arguments: Any, **more: Any) -> bool:
         arguments = (*arguments[:5], lambda now: stop() if now.done else None)
         return carry_out(*arguments, **more)

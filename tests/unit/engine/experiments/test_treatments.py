@@ -12,7 +12,7 @@ from app.core.tree import Tree
 from app.engine.demonstrations import recreate
 from app.engine.experiments.flat import NAME, Pulse, examples_of, flat_of, with_flat
 from app.engine.experiments.learning import Lesson, behaviors_in_use, drawn, picks_of, relearned
-from app.engine.experiments.plan import Treated
+from app.engine.experiments.plan import Settings, Treated
 from app.engine.experiments.treatments import Treatments, changed
 from app.sim.scenarios.foraging import scenario
 from tests.samples import AGENT
@@ -49,7 +49,7 @@ def test_a_behavior_can_be_another_inside_under_its_own_name() -> None:
 
 
 def test_rules_are_changed_before_behaviors_that_use_them() -> None:
-    settings = {"use.agent/Forage": "agent/Wander", "rule.agent/Wander/2": 0.25}
+    settings: Settings = {"use.agent/Forage": "agent/Wander", "rule.agent/Wander/2": 0.25}
     project, _ = changed(boxes(), "independent", settings)
     assert rules(project, "Forage")[1].probability == 0.25
 
