@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from app.core.automaton import START, Automaton, Refit, Settings
-from app.core.edits import remove_state
+from app.core.edits import disable_examples, enable_examples, remove_state
 from app.core.features import FlagUp
 from app.engine.commands import MoveEntity, Others, Pick, Play, ShouldNotHaveLeft
 from app.engine.commands import Test as LearnAndTest
@@ -104,6 +104,13 @@ def test_a_pick_that_waits_when_the_test_begins_is_learned_from_but_not_carried_
     driver = Driver(project(pacer())).teach("agent-1", "Pacer").pick("up").test()
     assert driver.acts == ["up"]
     assert driver.does(2) == ["Up", "Up"]
+
+
+def test_a_disabled_example_is_not_learned_from_until_it_is_enabled_again() -> None:
+    driver = in_a_test().edit(disable_examples, "agent", "Pacer", ["3", "4"]).test().reset()
+    assert driver.does(6) == ["Up"] * 6
+    driver.edit(enable_examples, "agent", "Pacer", ["3", "4"]).test().reset()
+    assert driver.does(6) == ["Up"] * 4 + ["Down"] * 2
 
 
 # ------------------------------------------------------------------------------------ correcting during a test
