@@ -4,10 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ..core.errors import EditError, SessionError
-from ..core.machine import Machine
 from ..core.project import Arm, Project
 from .plan import some
-from .snapshots import Edit, NodeView, edited, view
+from .snapshots import Edit, NodeView, edited
 
 
 class EditLog:
@@ -57,11 +56,6 @@ def arm_now(arm: Arm, old: Project, new: Project) -> Arm:
 
 def _called(name: str, project: Project) -> Arm | None:
     return next((arm for arm in project.arms if arm.name == name), None)
-
-
-def places(machine: Machine) -> Mapping[str, NodeView]:
-    """What every node does."""
-    return {node_id: view(actor, taught=False) for node_id, actor in machine.actors.items()}
 
 
 def losses(before: Mapping[str, NodeView], after: Mapping[str, NodeView]) -> Sequence[str]:

@@ -113,17 +113,10 @@ class _Play:
         self._demonstration = demonstration
         self._passed = passed
         settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
+        settings["engine"] = REFERENCE  # it steps lessons in any case, so nothing is compiled first
         with self._blaming():
-            self._session = Session(
-                project,
-                scenario,
-                demonstration.arm,
-                demonstration.seed,
-                settings={
-                    **settings,
-                    "engine": REFERENCE,
-                },  # which steps lessons anyway: nothing to compile first
-            )
+            arm, seed = demonstration.arm, demonstration.seed
+            self._session = Session(project, scenario, arm, seed, settings=settings)
 
     def project(self) -> Project:
         """The project with what the demonstration recorded."""
@@ -237,7 +230,8 @@ def _copied(source: Project, into: Project, where: Where) -> Project:
     """*into* with the examples and models that an automaton has in *source*."""
     automaton, examples = source.library(where[0]).get(where[1]), source.examples_of(*where)
     into = set_learned(into, *where, automaton.learned, automaton.learned_from)
-    moments = {e.snapshot: source.moments[e.snapshot] for e in examples if e.snapshot in source.moments}
+    missing = {e.snapshot for e in examples} & (source.moments.keys() - into.moments.keys())
+    moments = {snapshot: source.moments[snapshot] for snapshot in sorted(missing)}
     return without_stray_moments(with_moments(with_examples(into, *where, examples), moments))
 
 

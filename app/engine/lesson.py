@@ -174,8 +174,9 @@ class Lesson:
 
         Raises:
             SessionError: It left none since the test began, or that state is gone.
+            BindingError: The state needs a target that is open now.
         """
-        self._running(node_id)
+        actor, run = self._running(node_id)
         left = self._departures.last(node_id)
         if left is None:
             raise SessionError(
@@ -186,6 +187,7 @@ class Lesson:
             raise SessionError(
                 f"{node_id!r} left the state {left.state!r}, which is gone from {automaton.name!r}"
             )
+        self._refuse_open(actor, run, automaton.state(left.state))
         stays = [Triple(left.state, left.state, left.values)]
         recorded = self._filed(project, node_id, stays, None, self._departures.moment(left), left.tick)
         act = self._act(node_id, recorded, left.state, freeze(self._engine.machine))
@@ -195,7 +197,7 @@ class Lesson:
         """Let the next tick carry out an act, which replaces those waiting for the same node."""
         replaced = self.waiting(act.node)
         first = replaced[0] if replaced else act
-        self._acts = [a for a in self._acts if a not in replaced]
+        self._acts = [other for other in self._acts if other.done or other.node != act.node]
         for old in replaced:
             self._unmend(old)
         self._acts.append(replace(act, was_taught=first.was_taught))

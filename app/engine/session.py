@@ -17,7 +17,7 @@ from ..sim.engine import Control, Engine
 from ..sim.scenario import Scenario
 from ..sim.world import FrozenWorld
 from .acts import Act
-from .carrying_over import EditLog, arm_now, losses, places
+from .carrying_over import EditLog, arm_now, losses
 from .commands import (
     Command,
     MoveEntity,
@@ -44,14 +44,13 @@ from .snapshots import (
     Event,
     Interrupted,
     Mode,
-    NodeView,
     Picked,
     Refused,
     Relearned,
     Snapshot,
     TakenBack,
     edited,
-    view,
+    views,
 )
 
 #: Nobody is taught, and nobody has to be told who leaves a state.
@@ -180,7 +179,7 @@ class Session:
             seed=self._seed,
             arm=self._treatment.arm.name,
             world=self._world,
-            nodes=self._views(),
+            nodes=views(engine.shown, self._lesson.taught if self._lesson else ()),
             measures=engine.measures(),
             failure=self._failure,
         )
@@ -191,13 +190,6 @@ class Session:
 
     def _refuse(self, why: object) -> None:
         self._events.append(Refused(self._tickets, str(why)))
-
-    def _views(self) -> Mapping[str, NodeView]:
-        taught = self._lesson.taught if self._lesson else frozenset()
-        return {
-            node_id: view(actor, taught=node_id in taught)
-            for node_id, actor in self._engine.shown.actors.items()
-        }
 
     # ------------------------------------------------------------------------------------------- time
 
@@ -372,9 +364,9 @@ class Session:
 
     def _rebase(self) -> None:
         machine, types = self._engine.machine, self.project.types_with(self._scenario.vocabulary)
-        before = places(machine)
+        before = views(machine)
         rebase(machine, types, self._models.classifiers)
-        self._events += [Interrupted(loss) for loss in losses(before, places(machine))]
+        self._events += [Interrupted(loss) for loss in losses(before, views(machine))]
         if self._lesson is not None:
             try:
                 self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]

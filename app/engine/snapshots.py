@@ -1,12 +1,13 @@
 """What a session shows of itself: frozen snapshots, and events that its caller turns into edits of the project."""
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
 from ..core.actor import Actor, Run
 from ..core.automaton import Automaton
 from ..core.edits.examples import Recorded, record_pick, take_back_pick
+from ..core.machine import Machine
 from ..core.project import Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
 from ..sim.world import FrozenWorld
@@ -127,6 +128,11 @@ def edited(project: Project, edit: Edit) -> Project:
 def _fits(project: Project, where: tuple[str, str], new: LearnedAutomaton) -> bool:
     automaton = project.library(where[0]).automata.get(where[1])
     return automaton is not None and fingerprint(automaton, project.examples_of(*where)) == new.fingerprint
+
+
+def views(machine: Machine, taught: Container[str] = ()) -> Mapping[str, NodeView]:
+    """What every node does, by id."""
+    return {node_id: view(actor, taught=node_id in taught) for node_id, actor in machine.actors.items()}
 
 
 def view(actor: Actor, *, taught: bool) -> NodeView:

@@ -10,7 +10,7 @@ from ..core.errors import SessionError
 from .commands import Command
 from .pace import FRAME, Pace
 from .session import Session
-from .snapshots import Event, Refused, Snapshot
+from .snapshots import Event, Snapshot
 
 #: Makes the session, given what wakes the thread up.
 MakeSession = Callable[[Callable[[], None]], Session]
@@ -171,10 +171,10 @@ class EngineThread:
     def _fail(self, error: BaseException) -> None:
         """Tell of something that nobody foresaw."""
         why = f"{type(error).__name__}: {error}"
+        self._session.fail(why)
         try:
-            self._session.fail(why)
-            self._publish()
-        except BaseException:  # noqa: BLE001 - not even a snapshot can be made: show the last one, stopped
+            snapshot = self._session.snapshot()
+        except BaseException:  # noqa: BLE001 - it cannot be shown either: show the last one that could, stopped
             ticket = self._session.acknowledged
-            stopped = replace(self._newest, acknowledged=ticket, speed=0.0, failure=why)
-            self._post(stopped, [Refused(ticket, f"{why}. The world stands still; reset it to go on.")])
+            snapshot = replace(self._newest, acknowledged=ticket, speed=0.0, failure=why)
+        self._post(snapshot, self._session.events())

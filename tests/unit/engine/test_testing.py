@@ -5,12 +5,12 @@ from dataclasses import replace
 import pytest
 
 from app.core.automaton import START, Automaton, Refit, Settings
-from app.core.edits import disable_examples, enable_examples, remove_state
+from app.core.edits import bind_state, disable_examples, enable_examples, remove_state
 from app.core.features import FlagUp
 from app.engine.commands import MoveEntity, Others, Pick, Play, ShouldNotHaveLeft
 from app.engine.commands import Test as LearnAndTest
 from app.engine.snapshots import Mode, Relearned
-from tests.corridor import PLACE, project
+from tests.corridor import PLACE, project, to
 from tests.driver import Driver
 from tests.samples import automaton, flag, state
 
@@ -232,6 +232,14 @@ def test_should_not_have_left_is_refused_for_a_state_that_is_gone() -> None:
     driver = in_a_test().advance(4)
     driver.edit(remove_state, "agent", "Pacer", "up")
     assert "'up', which is gone" in driver.refused(ShouldNotHaveLeft("agent-1"))
+
+
+def test_should_not_have_left_is_refused_for_a_state_whose_target_is_open_now() -> None:
+    seeker = automaton("Seeker", state("go", "Toward", to("lamp")), state("up", "Up"), features=(PLACE,))
+    driver = Driver(project(seeker)).teach("agent-1", "Seeker").pick("go").advance(4).pick("up").advance()
+    driver.test().reset().advance(7)
+    driver.edit(bind_state, "agent", "Seeker", "go", "target", None)
+    assert "'target' of state 'go' of 'Seeker' is open" in driver.refused(ShouldNotHaveLeft("agent-1"))
 
 
 def test_a_mended_transition_is_learned() -> None:

@@ -283,6 +283,14 @@ def test_what_nobody_foresaw_is_told_as_a_failure_and_who_waits_hears_of_it(
     assert told == [f"{why}. The world stands still; reset it to go on."]
 
 
+def test_a_failure_is_told_once_even_if_it_cannot_be_shown(start: Make) -> None:
+    thread = start(Unshowable)
+    for _ in range(2):
+        ticket = thread.send(Pause())
+        thread.wait_for(lambda s, ticket=ticket: s.acknowledged >= ticket)  # type: ignore[misc]
+    assert len(thread.events()) == 2
+
+
 def test_after_a_failure_a_reset_goes_on(start: Make) -> None:
     thread = start(Unforeseen)
     thread.send(Play(None))
