@@ -20,47 +20,53 @@ from .timing import Prepare, Work, least, ratio, side_by_side
 
 #: Ticks that pass before any are timed: by then agents are in all of their states.
 WARM_UP = 5_000
-#: Ticks in one timing: so few that some timings are left alone by other programs.
-TICKS = 5_000
-SEEDS, ROUNDS = 4, 5
-#: Where timings are compared piece by piece.
-PIECE, PIECES = 1_000, 101
+#: Ticks in one timing, and timings on end: see `timing.taking_turns`.
+TICKS, PIECES = 500, 10
+SEEDS, ROUNDS = 4, 6
+#: Timings of two worlds side by side.
+PAIRS = 101
 AGENT, FORAGE = "agent", "Forage"
 
 
 def kernel_rate(of: Subject, arm: str) -> float:
     """Agent-ticks a second of an arm in the kernel, on one thread."""
-    return _rate(of, of.arm(arm, engine=COMPILED), TICKS) * len(of.project.arm(arm).forest().agents())
+    return _rate(of, of.arm(arm, engine=COMPILED)) * len(of.project.arm(arm).forest().agents())
 
 
 def reference_rate(of: Subject) -> float:
     """Ticks a second of fifty agents on their own in the reference engine."""
-    return _rate(of, of.arm("independent", engine=REFERENCE), 60, seeds=1)
+    return _rate(of, of.arm("independent", engine=REFERENCE), ticks=2, pieces=30, warm_up=60, seeds=1)
 
 
 def rigid_rate(of: Subject) -> float:
     """Ticks a second of fifty agents and ten boxes as rigid bodies, sensing and deciding included."""
-    return _rate(of, of.arm("independent", engine=COMPILED, physics="rigid"), 1_000, seeds=1)
+    return _rate(of, of.arm("independent", engine=COMPILED, physics="rigid"), ticks=20, pieces=50, seeds=1)
 
 
-def _rate(of: Subject, arm: Treatment, ticks: int, seeds: int = SEEDS) -> float:
+def _rate(
+    of: Subject,
+    arm: Treatment,
+    ticks: int = TICKS,
+    pieces: int = PIECES,
+    warm_up: int = WARM_UP,
+    seeds: int = SEEDS,
+) -> float:
     """Ticks a second."""
-    ticks = of.much(ticks)
-    warm_up = min(ticks, of.much(WARM_UP))
-    runs = [_run(arm, seed, warm_up, ticks) for seed in _seeds(of, seeds)]
-    return len(runs) * ticks / sum(least(run, of.much(ROUNDS), of.clock) for run in runs)
+    ticks, pieces = of.much(ticks), of.much(pieces)
+    runs = [_run(arm, seed, of.much(warm_up), ticks) for seed in _seeds(of, seeds)]
+    seconds = sum(least(run, of.much(ROUNDS), of.clock, pieces) for run in runs)
+    return len(runs) * pieces * ticks / seconds
 
 
 def threads_ratio(of: Subject) -> float:
     """How many times as fast two worlds pass on two threads as one after the other."""
     if of.cores < 2:
         raise UnmeasurableError("two threads cannot be compared with one on a single core")
-    arm, ticks = of.arm("independent", engine=COMPILED), of.much(2 * TICKS)
-    runs = [_run(arm, seed, of.much(WARM_UP), ticks) for seed in (1, 2)]
+    arm = of.arm("independent", engine=COMPILED)
+    runs = [_run(arm, seed, of.much(WARM_UP), of.much(4 * TICKS)) for seed in (1, 2)]
     with ThreadPoolExecutor(2, thread_name_prefix="bench") as pool:
-        return ratio(
-            [partial(_in_turn, runs)], [partial(_at_once, runs, pool)], of.much(2 * ROUNDS), of.clock
-        )
+        one, two = [partial(_in_turn, runs)], [partial(_at_once, runs, pool)]
+        return ratio(one, two, of.much(ROUNDS), of.clock, of.much(PIECES))
 
 
 def _in_turn(runs: Sequence[Prepare]) -> Work:
@@ -81,9 +87,9 @@ def yardstick_ratio(of: Subject) -> float:
     """How many times as long the kernel takes as a loop written by hand for the same behavior."""
     arm = of.arm("independent", of.forager, engine=COMPILED)
     ticks, warm_up = of.much(TICKS), of.much(WARM_UP)
-    kernel = [_run(arm, seed, warm_up, ticks) for seed in _seeds(of, 2)]
-    by_hand = [partial(_started, partial(Yardstick, start_of(arm, s)), warm_up, ticks) for s in _seeds(of, 2)]
-    return ratio(kernel, by_hand, of.much(2 * ROUNDS), of.clock)
+    kernel = [_run(arm, seed, warm_up, ticks) for seed in _seeds(of)]
+    by_hand = [partial(_started, partial(Yardstick, start_of(arm, s)), warm_up, ticks) for s in _seeds(of)]
+    return ratio(kernel, by_hand, of.much(ROUNDS), of.clock, of.much(PIECES))
 
 
 def unused_ratio(of: Subject) -> float:
@@ -91,9 +97,9 @@ def unused_ratio(of: Subject) -> float:
     few = of.arm("independent", of.forager, engine=COMPILED)
     many = of.arm("independent", with_unused(of.forager, of.much(1_000)), engine=COMPILED)
     crowded, plain = (
-        _started(partial(start_engine, arm, 1), of.much(WARM_UP), of.much(PIECE)) for arm in (many, few)
+        _started(partial(start_engine, arm, 1), of.much(WARM_UP), of.much(2 * TICKS)) for arm in (many, few)
     )
-    return side_by_side(crowded, plain, of.much(PIECES), of.clock)
+    return side_by_side(crowded, plain, of.much(PAIRS), of.clock)
 
 
 def with_unused(forager: Project, count: int) -> Project:

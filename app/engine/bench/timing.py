@@ -11,26 +11,34 @@ Work = Callable[[], object]
 Prepare = Callable[[], Work]
 
 
-def least(prepare: Prepare, rounds: int, clock: Clock) -> float:
-    """The shortest of several times of the same work, in seconds."""
-    return taking_turns((prepare,), rounds, clock)[0]
+def least(prepare: Prepare, rounds: int, clock: Clock, pieces: int = 1) -> float:
+    """The shortest of several times of the same work, in seconds; see `taking_turns`."""
+    return taking_turns((prepare,), rounds, clock, pieces)[0]
 
 
-def taking_turns(rivals: Sequence[Prepare], rounds: int, clock: Clock) -> list[float]:
-    """The shortest times of several works that are done in turn, A B A B, so that all meet the same disturbance."""
-    shortest = [float("inf")] * len(rivals)
+def taking_turns(rivals: Sequence[Prepare], rounds: int, clock: Clock, pieces: int = 1) -> Sequence[float]:
+    """The shortest times of several works that are done in turn, A B A B, so that all meet the same disturbance.
+
+    Args:
+        pieces: How often a work, once ready, is done on end. The shortest time of each piece counts: short ones are left
+            alone by other programs now and then, all of a long work hardly ever.
+    """
+    shortest = [[float("inf")] * pieces for _ in rivals]
     for _ in range(rounds):
-        for number, prepare in enumerate(rivals):
+        for times, prepare in zip(shortest, rivals, strict=True):
             work = prepare()
-            began = clock()
-            work()
-            shortest[number] = min(shortest[number], clock() - began)
-    return shortest
+            for piece in range(pieces):
+                began = clock()
+                work()
+                times[piece] = min(times[piece], clock() - began)
+    return [sum(times) for times in shortest]
 
 
-def ratio(first: Sequence[Prepare], second: Sequence[Prepare], rounds: int, clock: Clock) -> float:
+def ratio(
+    first: Sequence[Prepare], second: Sequence[Prepare], rounds: int, clock: Clock, pieces: int = 1
+) -> float:
     """How many times as long all works of *first* take as those of *second*, pair by pair."""
-    times = [taking_turns(pair, rounds, clock) for pair in zip(first, second, strict=True)]
+    times = [taking_turns(pair, rounds, clock, pieces) for pair in zip(first, second, strict=True)]
     return sum(one for one, _ in times) / sum(other for _, other in times)
 
 

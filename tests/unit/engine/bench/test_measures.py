@@ -152,8 +152,8 @@ def test_a_program_that_fails_is_no_figure_and_says_with_which_words(tiny: Subje
 # ------------------------------------------------------------------------------------------------------- the machine
 
 
-def test_memory_grows_by_what_comes_on_top_once_it_has_settled() -> None:
-    assert memory.growth([(0.1, 50.0), (0.3, 100.0), (0.4, 104.0), (0.6, 103.0), (1.0, 107.0)]) == 3.0
+def test_memory_grows_by_what_is_never_given_back_once_it_has_settled() -> None:
+    assert memory.growth([(0.1, 50.0), (0.3, 104.0), (0.4, 100.0), (0.6, 109.0), (1.0, 103.0)]) == 3.0
     assert memory.growth([(0.1, 50.0), (0.3, 100.0), (1.0, 99.0)]) == 0.0
     assert memory.growth([(1.0, 99.0)]) == 0.0
 

@@ -35,6 +35,12 @@ def test_the_shortest_of_several_times_counts() -> None:
     assert least(lambda: work, 3, watch) == 3.0
 
 
+def test_of_each_piece_the_shortest_time_counts() -> None:
+    watch = Watch()
+    work = watch.work("a", 5.0, 1.0, 2.0, 9.0)
+    assert least(lambda: work, 2, watch, pieces=2) == 2.0 + 1.0
+
+
 def test_making_ready_is_not_timed() -> None:
     watch = Watch()
     work = watch.work("a", 1.0)
