@@ -196,7 +196,7 @@ def _setting(experiment: Experiment) -> str:
     text = (
         f"Each row is the mean of its runs after {experiment.ticks:,} ticks ± half the width of its 95% confidence "
         "interval (Student's t). A run is *stalled* if it got nothing done in its last 30%. The last column is the "
-        "speed of one thread while others ran beside it."
+        "speed of one thread, with whatever else the machine had to do."
     )
     if experiment.factors and experiment.design is Design.ONE_AT_A_TIME:
         text += " One thing at a time is changed; the first level of each factor is the usual one."
@@ -205,8 +205,8 @@ def _setting(experiment: Experiment) -> str:
 
 def _verdicts(claims: Sequence[Judged]) -> str:
     counts: Mapping[Verdict, int] = {v: sum(judged.verdict is v for judged in claims) for v in Verdict}
-    told = [f"{count} {verdict.value}" for verdict, count in counts.items() if count]
-    return f"Of {len(claims)}: {', '.join(told)}."
+    told = [f"{verdict.value}: {count}" for verdict, count in counts.items() if count]
+    return f"Of {len(claims)} — {', '.join(told)}."
 
 
 def _overview(found: Findings) -> list[str]:

@@ -91,7 +91,7 @@ def test_a_claim_that_does_not_hold_is_told_with_its_numbers(results: Results) -
     (told,) = document(found, FILES)["claims"]
     assert (told["verdict"], told["first"], told["second"]) == ("does not hold", 2.0, 9.0)
     text = markdown(found, FILES, "understudy experiment p small")
-    assert "Of 1: 1 does not hold." in text
+    assert "Of 1 — does not hold: 1." in text
     assert "| Groups collect more | 2.0 ± 2.5 against 9.0 ± 2.5 | -7.0 | 0.0010 | does not hold |" in text
 
 
