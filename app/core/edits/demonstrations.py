@@ -6,13 +6,18 @@ from ..errors import EditError
 from ..naming import fresh_id
 from ..project import Demonstration, Project
 from ..storage.names import file_name_problem
-from .place import find_index, moved
+from .place import find_automaton, find_index, moved
 from .words import says
 
 
 @says("Add a demonstration of {demonstration.automaton}")
 def add_demonstration(project: Project, demonstration: Demonstration) -> tuple[Project, str]:
-    """One more demonstration, the last; also returns its id, which is made if it is empty or taken."""
+    """One more demonstration, the last; also returns its id, which is made if it is empty or taken.
+
+    Raises:
+        EditError: Its id cannot name a file, or its automaton or arm does not exist.
+    """
+    _refuse_places(project, demonstration)
     if demonstration.id and (problem := file_name_problem(demonstration.id)):
         raise EditError(f"{demonstration.id!r} cannot name a demonstration, since it names a file: {problem}")
     taken = {d.id for d in project.demonstrations}
@@ -25,7 +30,12 @@ def add_demonstration(project: Project, demonstration: Demonstration) -> tuple[P
 
 @says("Change demonstration {demonstration_id}")
 def replace_demonstration(project: Project, demonstration_id: str, demonstration: Demonstration) -> Project:
-    """Another demonstration in the place of one; it keeps the id."""
+    """Another demonstration in the place of one; it keeps the id.
+
+    Raises:
+        EditError: There is no such demonstration, or the new one's automaton or arm does not exist.
+    """
+    _refuse_places(project, demonstration)
     index = _index(project, demonstration_id)
     if demonstration.id != demonstration_id:
         raise EditError(
@@ -49,6 +59,12 @@ def move_demonstration(project: Project, demonstration_id: str, to: int) -> Proj
     return replace(
         project, demonstrations=moved(project.demonstrations, _index(project, demonstration_id), to)
     )
+
+
+def _refuse_places(project: Project, demonstration: Demonstration) -> None:
+    """A demonstration plays somewhere, and teaches something."""
+    find_automaton(project, demonstration.type, demonstration.automaton)
+    project.arm(demonstration.arm)
 
 
 def _index(project: Project, demonstration_id: str) -> int:

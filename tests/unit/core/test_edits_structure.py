@@ -245,6 +245,19 @@ def test_a_demonstration_names_a_file() -> None:
         edits.add_demonstration(project(), replace(project().demonstrations[0], id="a/b"))
 
 
+def test_a_demonstration_plays_in_an_arm_and_teaches_an_automaton_that_exist() -> None:
+    shown = project().demonstrations[0]
+    for nowhere in (
+        replace(shown, arm="gone"),
+        replace(shown, automaton="gone"),
+        replace(shown, type="gone"),
+    ):
+        with pytest.raises(EditError, match="gone"):
+            edits.add_demonstration(project(), nowhere)
+        with pytest.raises(EditError, match="gone"):
+            edits.replace_demonstration(project(), shown.id, nowhere)
+
+
 def test_demonstrations_are_replaced_moved_and_removed() -> None:
     changed, second = edits.add_demonstration(project(), project().demonstrations[0])
     changed = edits.move_demonstration(changed, second, 0)
