@@ -1,14 +1,29 @@
 """Geometry that scenarios share, in functions that engines can compile."""
 
-from math import pi, sqrt, tau
+from math import cos, pi, sin, sqrt, tau
 from typing import Any
 
 
 def distance(world: Any, a: int, b: int) -> float:
     """Between the centers of two entities, in world units."""
+    return sqrt(square_distance(world, a, b))
+
+
+def square_distance(world: Any, a: int, b: int) -> float:
+    """The square of `distance`: comparing squares spares the roots."""
     dx = world.x[b] - world.x[a]
     dy = world.y[b] - world.y[a]
-    return sqrt(dx * dx + dy * dy)
+    return dx * dx + dy * dy
+
+
+def heading_cos(world: Any, entity: int) -> float:
+    """The cosine of an entity's heading. Compiled, it is remembered until the entity turns."""
+    return cos(world.heading[entity])
+
+
+def heading_sin(world: Any, entity: int) -> float:
+    """The sine of an entity's heading. Compiled, it is remembered until the entity turns."""
+    return sin(world.heading[entity])
 
 
 def wrapped(angle: float) -> float:

@@ -27,7 +27,8 @@ from platformdirs import user_cache_path
 from ...core.errors import UncompilableError
 from ..scenario import Scenario
 from . import columns, linking, tick, twins
-from .source import Layout, kernel_source, scenario_functions
+from .records import stride
+from .source import HEADING_BITS, MEMORY, MEMORY_RECORD, Layout, kernel_source, scenario_functions
 
 #: Told in a few words what takes time.
 Notice = Callable[[str], None]
@@ -111,7 +112,11 @@ def _compile_functions(scenario: Scenario, layout: Layout, module: ModuleType) -
     params = types.NamedTuple([numbers[letter] for letter in layout.parameters.values()], module.Params)
     fields: dict[str, Any] = {name: columns.ColumnType(numbers[k]) for name, k in layout.columns.items()}
     fields |= dict.fromkeys(layout.scalars, types.int64) | {"params": params}
-    world = types.NamedTuple([fields[name] for name in layout.fields], module.World)
+    fields |= {
+        name: columns.ColumnType(numbers[letter], stride(MEMORY_RECORD)) for name, letter in MEMORY.items()
+    }
+    fields |= {HEADING_BITS: columns.ColumnType(types.int64)}
+    world = types.NamedTuple([fields[name] for name in module.World._fields], module.World)
     for name, function in scenario_functions(scenario).items():
         others = function.__code__.co_argcount - 1
         getattr(module, name).compile((world, *[types.int64] * others))

@@ -18,11 +18,12 @@ _MACHINE_TYPES = {types.float64: ir.DoubleType(), types.int64: ir.IntType(64)}
 
 
 class ColumnType(types.Type):
-    """A column of float64 or int64."""
+    """A column of float64 or int64 whose entries lie *stride* words apart."""
 
-    def __init__(self, dtype: Any) -> None:
+    def __init__(self, dtype: Any, stride: int = 1) -> None:
         self.dtype = dtype
-        super().__init__(name=f"Column({dtype})")
+        self.stride = stride
+        super().__init__(name=f"Column({dtype}, {stride})")
 
 
 @register_model(ColumnType)
@@ -51,27 +52,35 @@ class _Set(AbstractTemplate):
 
 
 @lower_builtin(operator.getitem, ColumnType, types.int64)
-def _get(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
-    return builder.load(builder.gep(args[0], [args[1]], inbounds=True))
+def _get(_context: Any, builder: Any, signature: Any, args: Any) -> Any:
+    return builder.load(_place(builder, signature.args[0], args))
 
 
 @lower_builtin(operator.setitem, ColumnType, types.int64, types.Any)
-def _set(context: Any, builder: Any, _signature: Any, args: Any) -> Any:
-    builder.store(args[2], builder.gep(args[0], [args[1]], inbounds=True))
+def _set(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+    builder.store(args[2], _place(builder, signature.args[0], args))
     return context.get_dummy_value()
 
 
+def _place(builder: Any, kind: ColumnType, args: Any) -> Any:
+    """The address of an entry."""
+    words = builder.mul(args[1], ir.Constant(ir.IntType(64), kind.stride), flags=("nsw",))
+    return builder.gep(args[0], [words], inbounds=True)
+
+
 def _maker(dtype: Any) -> Any:
-    def column(_context: Any, address: Any) -> Any:  # noqa: ARG001 - numba wants this signature
-        kind = ColumnType(dtype)
+    def column(_context: Any, address: Any, stride: Any) -> Any:  # noqa: ARG001 - numba wants this signature
+        if not isinstance(stride, types.IntegerLiteral):
+            return None
+        kind = ColumnType(dtype, stride.literal_value)
 
         def generate(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
             return builder.inttoptr(args[0], _MACHINE_TYPES[dtype].as_pointer())
 
-        return kind(types.int64), generate
+        return kind(types.int64, stride), generate
 
     return intrinsic(column)
 
 
-#: In compiled code: the column at an address.
+#: In compiled code: the column at an address, with the words from one entry to the next, a constant.
 column_f, column_i = _maker(types.float64), _maker(types.int64)

@@ -1,6 +1,6 @@
 """A world and what its nodes do, as columns that a kernel steps."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -9,8 +9,9 @@ from ..physics import Physics
 from ..program.tables import TABLE_COLUMNS, Column, Program, Sizes
 from ..scenario import Scenario, World
 from .build import Addresses, Notice, build
-from .source import SIZES, layout_of
-from .state import RUN_COLUMNS
+from .records import TABLE_RECORDS, Record, addresses, laid_out, packed, records
+from .source import MEMORY, MEMORY_RECORD, SIZES, layout_of
+from .state import RUN_RECORDS
 from .tick import AFTER_MOVING, BEFORE_MOVING, ENTITIES, FAULT, WHOLE
 
 
@@ -46,11 +47,8 @@ class FlatWorld:
         self._physics = physics
         layout = layout_of(world, scenario)
         self._kernel = build(scenario, layout, notice, folder)
-        self.world: dict[str, Column] = {
-            name: np.zeros(max(1, len(getattr(world, name))), _DTYPES[letter])
-            for name, letter in layout.columns.items()
-        }
         self._lengths = {name: len(getattr(world, name)) for name in layout.columns}
+        self.world = laid_out(self._lengths, layout.columns, records(layout.columns, ()))
         self._parameters = {
             letter: np.array(
                 [v for n, v in world.params._asdict().items() if layout.parameters[n] == letter] or [0],
@@ -59,22 +57,28 @@ class FlatWorld:
             for letter in ("f", "i")
         }
         self._scalars = [int(getattr(world, name)) for name in layout.scalars]
-        self._world_at = _addresses([*self.world.values(), *self._parameters.values()])
+        lengths = dict.fromkeys(MEMORY, self._lengths["heading"])
+        self._memory = laid_out(lengths, MEMORY, [MEMORY_RECORD])
+        self._memory["known_cos"][:] = 1.0  # bits that are all 0 are a heading of 0.0
+        found = {**self.world, **self._parameters, **self._memory}
+        self._world_at = _addresses(found, records(found, [MEMORY_RECORD]))
         self.runs: Mapping[str, Column] = {}
         self.sizes: list[int] = []
         self._program: Program | None = None
+        self._tables: Mapping[str, Column] = {}
         self._tables_at = self._runs_at = self._whole = np.zeros(0, np.int64)
 
     def use(self, program: Program, runs: Mapping[str, Column]) -> None:
         """Let the nodes do what *runs* say."""
         if program is not self._program:
             self._program = program
-            self._tables_at = _addresses([program.columns[name] for name in TABLE_COLUMNS])
+            self._tables = packed(program.columns, TABLE_COLUMNS, TABLE_RECORDS)
+            self._tables_at = _addresses(self._tables, TABLE_RECORDS)
             self.sizes = _sizes(program.sizes)
             self._whole = np.array([*self._scalars, *self.sizes], np.int64)
         self.runs = runs
         self.runs["once"][ENTITIES] = self._lengths["x"]
-        self._runs_at = _addresses([runs[name] for name in RUN_COLUMNS])
+        self._runs_at = _addresses(runs, RUN_RECORDS)
 
     @property
     def program(self) -> Program:
@@ -128,8 +132,8 @@ class FlatWorld:
 _DTYPES = {"f": np.float64, "i": np.int64}
 
 
-def _addresses(columns: list[Column]) -> Addresses:
-    return np.array([column.ctypes.data for column in columns], np.int64)
+def _addresses(columns: Mapping[str, Column], shape: Iterable[Record]) -> Addresses:
+    return np.array(addresses(columns, shape), np.int64)
 
 
 def _sizes(sizes: Sizes) -> list[int]:

@@ -1,6 +1,6 @@
 """The text of a scenario's kernel: how its world is laid out, and which function each number calls."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,11 +8,16 @@ from ...core.vocabulary import Feature
 from ..program.tables import TABLE_COLUMNS
 from ..ranges import closed_range
 from ..scenario import Scenario, World
-from .state import RUN_COLUMNS
+from .records import TABLE_RECORDS, Record, stride
+from .state import RUN_COLUMNS, RUN_RECORDS
 
 #: Sizes of a program that the kernel looks at, in the order in which it takes them.
 SIZES = ("nodes", "controllers", "types", "levels", "arguments", "key_words", "slots_most")
 STAGES = ("resolve", "kinematics", "after_tick")
+#: What a compiled world remembers besides its own columns, see `twins`: name -> letter; and its headings as bits.
+MEMORY = {"known_heading": "i", "known_cos": "f", "known_sin": "f"}
+MEMORY_RECORD = tuple(MEMORY)
+HEADING_BITS = "heading_bits"
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +75,7 @@ def kernel_source(scenario: Scenario, layout: Layout) -> str:
 def _types(layout: Layout) -> str:
     names = {
         "Params": tuple(layout.parameters),
-        "World": layout.fields,
+        "World": (*layout.fields, *MEMORY, HEADING_BITS),
         "Tables": (*TABLE_COLUMNS, *SIZES),
         "Runs": tuple(RUN_COLUMNS),
     }
@@ -146,12 +151,12 @@ def _kernel(layout: Layout) -> str:
             "",
             "@compiled",
             "def kernel(world_at, tables_at, runs_at, scalars, ticks, part):",
-            f"    float_parameters = column_f(world_at[{len(layout.columns)}])",
-            f"    whole_parameters = column_i(world_at[{len(layout.columns) + 1}])",
+            f"    float_parameters = column_f(world_at[{len(layout.columns)}], 1)",
+            f"    whole_parameters = column_i(world_at[{len(layout.columns) + 1}], 1)",
             f"    params = Params({_parameters(layout)})",
             f"    world = World({_world(layout)})",
-            f"    tab = Tables({_columns(TABLE_COLUMNS, 'tables_at')}, {_sizes(layout)})",
-            f"    runs = Runs({_columns(RUN_COLUMNS, 'runs_at')})",
+            f"    tab = Tables({_columns(TABLE_COLUMNS, TABLE_RECORDS, 'tables_at')}, {_sizes(layout)})",
+            f"    runs = Runs({_columns(RUN_COLUMNS, RUN_RECORDS, 'runs_at')})",
             "    run(world, tab, runs, ticks, part)",
             "",
         )
@@ -168,13 +173,25 @@ def _parameters(layout: Layout) -> str:
 
 
 def _world(layout: Layout) -> str:
-    columns = [f"{n}=column_{letter}(world_at[{k}])" for k, (n, letter) in enumerate(layout.columns.items())]
+    columns = [
+        f"{n}=column_{letter}(world_at[{k}], 1)" for k, (n, letter) in enumerate(layout.columns.items())
+    ]
+    memory = _columns(
+        MEMORY, [MEMORY_RECORD], "world_at", len(layout.columns) + 2
+    )  # parameters are before them
+    bits = f"{HEADING_BITS}=column_i(world_at[{list(layout.columns).index('heading')}], 1)"
     scalars = [f"{name}=scalars[{k}]" for k, name in enumerate(layout.scalars)]
-    return ", ".join((*columns, *scalars, "params=params"))
+    return ", ".join((*columns, memory, bits, *scalars, "params=params"))
 
 
-def _columns(letters: Mapping[str, str], address: str) -> str:
-    return ", ".join(f"{n}=column_{letter}({address}[{k}])" for k, (n, letter) in enumerate(letters.items()))
+def _columns(letters: Mapping[str, str], shape: Sequence[Record], at: str, first: int = 0) -> str:
+    """Each column as a field of its record; the addresses of records stand in *at* from *first* on."""
+    places = {name: (k, j, record) for k, record in enumerate(shape, first) for j, name in enumerate(record)}
+    columns = []
+    for name, letter in letters.items():
+        k, j, record = places[name]
+        columns.append(f"{name}=column_{letter}({at}[{k}] + {8 * j}, {stride(record)})")
+    return ", ".join(columns)
 
 
 def _sizes(layout: Layout) -> str:

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 
-import numpy as np
-
 from ...core.actor import Actor, Argument, Arguments, Run
 from ...core.automaton import START, Automaton
 from ...core.errors import ProgramError
 from ...core.machine import Machine
 from ...core.vocabulary import BasicBehavior
 from ..program.tables import NO_KEY, Column, Program, Sizes
+from .records import laid_out, records
 from .tick import MACHINE_KEY
 
 #: Column name -> float64 ("f") or int64 ("i"), in the order in which a kernel takes them.
@@ -51,15 +50,24 @@ RUN_COLUMNS: Mapping[str, str] = {
     "state_total": "f",
     "stack": "i",
 }
+RUN_RECORDS = records(
+    RUN_COLUMNS,
+    (
+        ("depth", "node_flags", "left", "direction"),
+        ("direction_argument", "direction_owner"),
+        ("what", "state", "entered", "flags", "pulsed"),
+        ("argument", "owner"),
+        ("use_stamp", "use_value"),
+        ("target_stamp", "target_owner", "target_entity"),
+        ("entry", "entry_share"),
+    ),
+)
 
 
 def new_runs(sizes: Sizes) -> dict[str, Column]:
     """Columns for a program in which every node idles."""
     lengths = _lengths(sizes)
-    columns: dict[str, Column] = {
-        name: np.zeros(max(1, lengths[name]), np.float64 if letter == "f" else np.int64)
-        for name, letter in RUN_COLUMNS.items()
-    }
+    columns = laid_out(lengths, RUN_COLUMNS, RUN_RECORDS)
     columns["direction"][:] = -1
     columns["act"][:] = -1
     return columns

@@ -1,6 +1,6 @@
 """Compiled twins of what scenarios share: the same chance, to the bit, and the same angles, faster."""
 
-from math import pi, tau
+from math import cos, pi, sin, tau
 
 import numpy as np
 from numba import njit
@@ -49,5 +49,35 @@ def wrapped(angle):  # type: ignore[no-untyped-def]
     return turned - _PI if turned < _TAU else -_PI
 
 
+@njit(forceinline=True)
+def _know(world, entity):  # type: ignore[no-untyped-def]
+    """Let the remembered cosine and sine be those of the heading; bits tell 0.0 from -0.0, whose sines differ."""
+    bits = world.heading_bits[entity]
+    if world.known_heading[entity] != bits:
+        world.known_heading[entity] = bits
+        world.known_cos[entity] = cos(world.heading[entity])
+        world.known_sin[entity] = sin(world.heading[entity])
+
+
+@njit(forceinline=True)
+def heading_cos(world, entity):  # type: ignore[no-untyped-def]
+    """`app.sim.geometry.heading_cos`, computed only where the entity has turned."""
+    _know(world, entity)
+    return world.known_cos[entity]
+
+
+@njit(forceinline=True)
+def heading_sin(world, entity):  # type: ignore[no-untyped-def]
+    """`app.sim.geometry.heading_sin`, computed only where the entity has turned."""
+    _know(world, entity)
+    return world.known_sin[entity]
+
+
 #: What stands in for the plain functions in compiled code.
-TWINS = {chance.draw: draw, chance.uniform: uniform, geometry.wrapped: wrapped}
+TWINS = {
+    chance.draw: draw,
+    chance.uniform: uniform,
+    geometry.wrapped: wrapped,
+    geometry.heading_cos: heading_cos,
+    geometry.heading_sin: heading_sin,
+}

@@ -5,7 +5,7 @@ from math import atan2, cos, hypot, pi, sin, sqrt, tau
 
 from ...core.chance import uniform
 from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
-from ..geometry import clamped, distance, wrapped
+from ..geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
 from ..scenario import Bodies, Column, Kind, Per, Scenario, World, quantity
 
 PLACEMENTS = ("anywhere", "ring")
@@ -138,7 +138,11 @@ def direction_to(world: World, me: int, target: int) -> float:
 @scenario.feature("ICanSeeABox", FeatureKind.BOOLEAN, phrases=Phrases(true="sees a box", false="sees no box"))
 def i_can_see_a_box(world: World, me: int) -> float:
     """Whether a box that still needs pullers is within sight."""
-    return 1.0 if nearest_box_within(world, me, world.params.sight) >= 0 else 0.0
+    far = world.params.sight * world.params.sight
+    seen = False
+    for box in range(world.first_box, world.end_box):
+        seen |= (world.pulling[box] < world.needed[box]) & (square_distance(world, me, box) <= far)
+    return 1.0 if seen else 0.0
 
 
 @scenario.feature(
@@ -179,13 +183,13 @@ def someone_needs_help(world: World, first: int, end: int) -> float:
 def nearest_box_within(world: World, me: int, reach: float) -> int:
     """The nearest box within *reach* that still needs pullers, or -1; the first of equally near ones."""
     best = -1
-    best_distance = reach
+    least = reach * reach
     for box in range(world.first_box, world.end_box):
         if world.pulling[box] < world.needed[box]:
-            d = distance(world, me, box)
-            if d < best_distance or (best < 0 and d == best_distance):
+            square = square_distance(world, me, box)
+            if square < least or (best < 0 and square == least):
                 best = box
-                best_distance = d
+                least = square
     return best
 
 
@@ -378,8 +382,8 @@ def move(world: World) -> None:
         if world.turn[agent] != 0.0:
             world.heading[agent] = wrapped(world.heading[agent] + world.turn[agent])
         if world.drive[agent] != 0.0 and world.held[agent] < 0:
-            dx = world.drive[agent] * cos(world.heading[agent])
-            dy = world.drive[agent] * sin(world.heading[agent])
+            dx = world.drive[agent] * heading_cos(world, agent)
+            dy = world.drive[agent] * heading_sin(world, agent)
             world.x[agent] = clamped(world.x[agent] + dx, world.params.width)
             world.y[agent] = clamped(world.y[agent] + dy, world.params.height)
     for box in range(world.first_box, world.end_box):
@@ -393,8 +397,8 @@ def pull(world: World, box: int) -> None:
     sy = 0.0
     for agent in range(world.agents):
         if world.held[agent] == box and world.drive[agent] != 0.0:
-            sx += cos(world.heading[agent])
-            sy += sin(world.heading[agent])
+            sx += heading_cos(world, agent)
+            sy += heading_sin(world, agent)
     length = sqrt(sx * sx + sy * sy)
     if length > 1e-9:
         x = clamped(world.x[box] + world.params.step * sx / length, world.params.width)
