@@ -27,14 +27,20 @@ from platformdirs import user_cache_path
 from ...core.errors import UncompilableError
 from ..scenario import Scenario
 from . import columns, linking, tick, twins
-from .records import stride
-from .source import HEADING_BITS, MEMORY, MEMORY_RECORD, Layout, kernel_source, scenario_functions
+from .source import (
+    Layout,
+    kernel_source,
+    runs_places,
+    scenario_functions,
+    tables_places,
+    world_places,
+)
 
 #: Told in a few words what takes time.
 Notice = Callable[[str], None]
-Addresses = NDArray[np.int64]
-#: Steps a world: addresses of its columns and of those of its program and runs, scalars, sizes, how many ticks, and which
-#: part of them.
+#: Words that say where columns begin, and numbers.
+Block = NDArray[np.int64]
+#: Steps a world: addresses of the blocks of the world, its program and its runs, how many ticks, and which part of them.
 Kernel = Callable[..., None]
 
 #: With more functions than this, those with loops are not put into their callers: compiling would take minutes.
@@ -91,14 +97,14 @@ def _compiled(scenario: Scenario, layout: Layout, source: str, path: Path, notic
     refused = path.with_suffix(".refused")  # numba takes seconds to find out: once is enough
     if refused.exists():
         raise UncompilableError(refused.read_text(encoding="utf-8"))
-    module = _loaded(scenario, _written(path, source))
+    module = _loaded(scenario, layout, _written(path, source))
     try:
         if not list(path.parent.glob(f"__pycache__/{path.stem}.*.nbi")):
             if notice is not None:
                 notice(f"compiling the kernel of {scenario.name!r}, once")
             _compile_functions(scenario, layout, module)
         kernel: Kernel = module.kernel
-        module.kernel.compile((types.int64[::1],) * 4 + (types.int64,) * 2)
+        module.kernel.compile((types.int64,) * 5)
     except NumbaError as error:
         message = f"scenario {scenario.name!r} cannot be compiled: {_gist(error)}"
         refused.write_text(message, encoding="utf-8")
@@ -108,15 +114,7 @@ def _compiled(scenario: Scenario, layout: Layout, source: str, path: Path, notic
 
 def _compile_functions(scenario: Scenario, layout: Layout, module: ModuleType) -> None:
     """Compile the scenario's functions as the kernel will call them: what is wrong with one shows at once."""
-    numbers = {"f": types.float64, "i": types.int64}
-    params = types.NamedTuple([numbers[letter] for letter in layout.parameters.values()], module.Params)
-    fields: dict[str, Any] = {name: columns.ColumnType(numbers[k]) for name, k in layout.columns.items()}
-    fields |= dict.fromkeys(layout.scalars, types.int64) | {"params": params}
-    fields |= {
-        name: columns.ColumnType(numbers[letter], stride(MEMORY_RECORD)) for name, letter in MEMORY.items()
-    }
-    fields |= {HEADING_BITS: columns.ColumnType(types.int64)}
-    world = types.NamedTuple([fields[name] for name in module.World._fields], module.World)
+    world = columns.BlockType(world_places(layout))
     for name, function in scenario_functions(scenario).items():
         others = function.__code__.co_argcount - 1
         getattr(module, name).compile((world, *[types.int64] * others))
@@ -131,18 +129,21 @@ def _written(path: Path, source: str) -> Path:
     return path
 
 
-def _loaded(scenario: Scenario, path: Path) -> ModuleType:
+def _loaded(scenario: Scenario, layout: Layout, path: Path) -> ModuleType:
     """The generated module; numba finds it again by its name when it reads its cache."""
     spec = spec_from_file_location(path.stem, path)
     assert spec is not None
     assert spec.loader is not None
     module = module_from_spec(spec)
     functions = scenario_functions(scenario)
-    linker = linking.Linker(_compile_one, twins.TWINS, inline_loops=len(functions) <= MOST_INLINED)
+    linker = linking.Linker(
+        _compile_one, twins.TWINS, tick.SELDOM, inline_loops=len(functions) <= MOST_INLINED
+    )
     vars(module).update({called: linker.linked(function) for called, function in functions.items()})
     vars(module).update(
-        column_f=columns.column_f,
-        column_i=columns.column_i,
+        as_world=columns.block(world_places(layout)),
+        as_tables=columns.block(tables_places()),
+        as_runs=columns.block(runs_places()),
         compiled=numba.njit(nogil=True, cache=True),
         inlined=lambda function: _compile_one(function, inline=True),
         linked=lambda **instead: linker.linked(tick.run, instead),

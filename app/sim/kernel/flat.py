@@ -1,6 +1,6 @@
 """A world and what its nodes do, as columns that a kernel steps."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -8,9 +8,9 @@ import numpy as np
 from ..physics import Physics
 from ..program.tables import TABLE_COLUMNS, Column, Program, Sizes
 from ..scenario import Scenario, World
-from .build import Addresses, Notice, build
-from .records import TABLE_RECORDS, Record, addresses, laid_out, packed, records
-from .source import MEMORY, MEMORY_RECORD, SIZES, layout_of
+from .build import Block, Notice, build
+from .records import TABLE_RECORDS, addresses, laid_out, packed, records
+from .source import MEMORY, SIZES, layout_of
 from .state import RUN_RECORDS
 from .tick import AFTER_MOVING, BEFORE_MOVING, ENTITIES, FAULT, WHOLE
 
@@ -49,36 +49,29 @@ class FlatWorld:
         self._kernel = build(scenario, layout, notice, folder)
         self._lengths = {name: len(getattr(world, name)) for name in layout.columns}
         self.world = laid_out(self._lengths, layout.columns, records(layout.columns, ()))
-        self._parameters = {
-            letter: np.array(
-                [v for n, v in world.params._asdict().items() if layout.parameters[n] == letter] or [0],
-                _DTYPES[letter],
-            )
-            for letter in ("f", "i")
-        }
-        self._scalars = [int(getattr(world, name)) for name in layout.scalars]
-        lengths = dict.fromkeys(MEMORY, self._lengths["heading"])
-        self._memory = laid_out(lengths, MEMORY, [MEMORY_RECORD])
+        self._memory = laid_out(dict.fromkeys(MEMORY, self._lengths["heading"]), MEMORY, [tuple(MEMORY)])
         self._memory["known_cos"][:] = 1.0  # bits that are all 0 are a heading of 0.0
-        found = {**self.world, **self._parameters, **self._memory}
-        self._world_at = _addresses(found, records(found, [MEMORY_RECORD]))
+        columns = [column.ctypes.data for column in self.world.values()]
+        scalars = [int(getattr(world, name)) for name in layout.scalars]
+        self._world_block = _block(
+            [*columns, *addresses(self._memory, [tuple(MEMORY)]), *scalars, *world.params]
+        )
         self.runs: Mapping[str, Column] = {}
         self.sizes: list[int] = []
         self._program: Program | None = None
         self._tables: Mapping[str, Column] = {}
-        self._tables_at = self._runs_at = self._whole = np.zeros(0, np.int64)
+        self._tables_block = self._runs_block = _block([])
 
     def use(self, program: Program, runs: Mapping[str, Column]) -> None:
         """Let the nodes do what *runs* say."""
         if program is not self._program:
             self._program = program
             self._tables = packed(program.columns, TABLE_COLUMNS, TABLE_RECORDS)
-            self._tables_at = _addresses(self._tables, TABLE_RECORDS)
             self.sizes = _sizes(program.sizes)
-            self._whole = np.array([*self._scalars, *self.sizes], np.int64)
+            self._tables_block = _block([*addresses(self._tables, TABLE_RECORDS), *self.sizes])
         self.runs = runs
         self.runs["once"][ENTITIES] = self._lengths["x"]
-        self._runs_at = _addresses(runs, RUN_RECORDS)
+        self._runs_block = _block(addresses(runs, RUN_RECORDS))
 
     @property
     def program(self) -> Program:
@@ -102,7 +95,8 @@ class FlatWorld:
         return True
 
     def _step(self, ticks: int, part: int) -> None:
-        self._kernel(self._world_at, self._tables_at, self._runs_at, self._whole, ticks, part)
+        blocks = (self._world_block, self._tables_block, self._runs_block)
+        self._kernel(*(block.ctypes.data for block in blocks), ticks, part)
 
     def read(self, world: World) -> None:
         """Take over the columns of a plain world."""
@@ -129,11 +123,10 @@ class FlatWorld:
             column[:] = before
 
 
-_DTYPES = {"f": np.float64, "i": np.int64}
-
-
-def _addresses(columns: Mapping[str, Column], shape: Iterable[Record]) -> Addresses:
-    return np.array(addresses(columns, shape), np.int64)
+def _block(numbers: Sequence[float]) -> Block:
+    """Words for compiled code: whole numbers as they are, others by their bits."""
+    bits = [np.float64(n).view(np.int64) if isinstance(n, float) else n for n in numbers]
+    return np.array(bits, np.int64)
 
 
 def _sizes(sizes: Sizes) -> list[int]:

@@ -4,7 +4,7 @@ The originals stay as they are; the reference engine goes on calling them.
 """
 
 import hashlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dis import get_instructions
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, Protocol
@@ -21,12 +21,21 @@ class Linker:
     """Compiles functions with all that they call, each once.
 
     Attributes:
+        apart: Functions that stay out of their callers.
         inline_loops: Whether functions with loops become part of their callers, too: faster, slower to compile.
     """
 
-    def __init__(self, compile_one: Compile, twins: Mapping[Any, Any], *, inline_loops: bool = True) -> None:
+    def __init__(
+        self,
+        compile_one: Compile,
+        twins: Mapping[Any, Any],
+        apart: Collection[Any] = (),
+        *,
+        inline_loops: bool = True,
+    ) -> None:
         self._compile = compile_one
         self._done: dict[Any, Any] = dict(twins)
+        self._apart = apart
         self._inline_loops = inline_loops
 
     def linked(self, function: Any, instead: Mapping[str, Any] | None = None) -> Any:
@@ -39,7 +48,7 @@ class Linker:
         bound = FunctionType(
             function.__code__, namespace, function.__name__, function.__defaults__, function.__closure__
         )
-        inline = self._inline_loops or not _has_loop(function.__code__)
+        inline = function not in self._apart and (self._inline_loops or not _has_loop(function.__code__))
         self._done[function] = made = self._compile(bound, inline=inline)
         for name, value in referred(function).items():
             if instead is not None and name in instead:

@@ -6,6 +6,7 @@ lines of their own: worlds step on threads side by side, and a core that writes 
 """
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,10 +15,11 @@ from ..program.tables import TABLE_COLUMNS, Column
 #: Names of columns in the order of their fields.
 Record = tuple[str, ...]
 
+#: Bytes of a number.
+WORD = 8
 #: Words that are set apart from others: two cache lines, since processors fetch them in pairs.
 _APART = 16
 _DTYPES = {"f": np.dtype(np.float64), "i": np.dtype(np.int64)}
-_WORD = 8
 
 
 def records(columns: Iterable[str], together: Iterable[Record]) -> tuple[Record, ...]:
@@ -64,7 +66,7 @@ def laid_out(
     rows = {record: max(1, *(lengths[name] for name in record)) for record in shape}
     words = {record: -(-count * stride(record) // _APART) * _APART for record, count in rows.items()}
     block = np.zeros(sum(words.values()) + _APART, np.int64)
-    at = -block.ctypes.data // _WORD % _APART
+    at = -block.ctypes.data // WORD % _APART
     columns: dict[str, Column] = {}
     for record, count in rows.items():
         fields = block[at : at + count * stride(record)].reshape(count, stride(record))
@@ -87,3 +89,29 @@ def packed(
 def addresses(columns: Mapping[str, Column], shape: Iterable[Record]) -> list[int]:
     """Where each record begins: its first column."""
     return [columns[record[0]].ctypes.data for record in shape]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where in a block a number stands, or what it takes to find a column.
+
+    Attributes:
+        letter: "f" for float64 or "i" for int64.
+        word: Of the block: the number, or the address of the column's record.
+        offset: Of the column in its record, in words.
+        stride: Words from one entry of the column to the next; 0 for a number.
+    """
+
+    letter: str
+    word: int
+    offset: int = 0
+    stride: int = 0
+
+
+def places(letters: Mapping[str, str], shape: Iterable[Record], first: int = 0) -> dict[str, Place]:
+    """Where columns are found if the addresses of their records stand in a block from word *first* on."""
+    return {
+        name: Place(letters[name], word, offset, stride(record))
+        for word, record in enumerate(shape, first)
+        for offset, name in enumerate(record)
+    }

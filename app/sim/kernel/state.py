@@ -7,7 +7,7 @@ from ...core.automaton import START, Automaton
 from ...core.errors import ProgramError
 from ...core.machine import Machine
 from ...core.vocabulary import BasicBehavior
-from ..program.tables import NO_KEY, Column, Program, Sizes
+from ..program.tables import KEY_HEAD, LEARNED, NO_KEY, NO_LEAF, Column, Program, Sizes
 from .records import laid_out, records
 from .tick import MACHINE_KEY
 
@@ -26,7 +26,8 @@ RUN_COLUMNS: Mapping[str, str] = {
     "entered": "i",
     "flags": "i",
     "pulsed": "i",
-    "keys": "i",  # what decided last
+    "leaf": "i",  # the leaf that decided last, alone; or -1
+    "keys": "i",  # what decided last otherwise
     "argument": "i",
     "owner": "i",
     # agents
@@ -55,7 +56,7 @@ RUN_RECORDS = records(
     (
         ("depth", "node_flags", "left", "direction"),
         ("direction_argument", "direction_owner"),
-        ("what", "state", "entered", "flags", "pulsed"),
+        ("what", "state", "entered", "flags", "pulsed", "leaf"),
         ("argument", "owner"),
         ("use_stamp", "use_value"),
         ("target_stamp", "target_owner", "target_entity"),
@@ -76,7 +77,7 @@ def new_runs(sizes: Sizes) -> dict[str, Column]:
 def _lengths(sizes: Sizes) -> Mapping[str, int]:
     rows, agents = sizes.nodes * sizes.levels, sizes.nodes - sizes.controllers
     per_node = dict.fromkeys(("depth", "node_flags", "left", "direction", "stack"), sizes.nodes)
-    per_run = dict.fromkeys(("what", "state", "entered", "flags", "pulsed"), rows)
+    per_run = dict.fromkeys(("what", "state", "entered", "flags", "pulsed", "leaf"), rows)
     return {
         **per_node,
         **per_run,
@@ -155,6 +156,8 @@ class _Writer:
         columns["flags"][row] = self._mask(run.flags)
         columns["pulsed"][row] = int(run.pulsed)
         words = self._program.key_words(state, run.key) if state else [NO_KEY]
+        alone = bool(state) and self._program.states[state].plain and words[0] == LEARNED
+        columns["leaf"][row] = words[KEY_HEAD] if alone else NO_LEAF
         at = row * self._sizes.key_words
         columns["keys"][at : at + len(words)] = words
         self._arguments("", row, run.behavior.parameters, run.arguments)
@@ -189,6 +192,7 @@ _SAVED = (
     "entered",
     "flags",
     "pulsed",
+    "leaf",
     "keys",
     "argument",
     "owner",
@@ -236,7 +240,9 @@ class _Reader:
         if what >= 0:
             behavior = self._program.automata[what].automaton
             at = row * self._sizes.key_words
-            key = self._program.key(state, columns["keys"][at : at + self._sizes.key_words])
+            words = columns["keys"][at : at + self._sizes.key_words]
+            leaf = columns["leaf"][row]
+            key = self._program.key(state, words if leaf == NO_LEAF else [LEARNED, 0, leaf])
         else:
             behavior, key = self._program.basics[-1 - what][1], None
         return Run(

@@ -17,6 +17,7 @@ from ..program.tables import (
     ARGMAX,
     BASIC,
     COUNT,
+    DECIDE,
     END,
     FINISHED_BIT,
     FLAG,
@@ -32,6 +33,7 @@ from ..program.tables import (
     MIN,
     NESTED,
     NO_KEY,
+    NO_LEAF,
     SENSE,
     STATISTIC_OF_SENSE,
     TAKE,
@@ -109,7 +111,6 @@ def act(world: World, tab: Tables, runs: Runs) -> None:
     for agent in range(world.agents):
         world.drive[agent] = 0.0
         world.turn[agent] = 0.0
-    for agent in range(world.agents):
         behavior = runs.act[agent]
         if behavior >= 0:
             runs.act[agent] = -1
@@ -130,19 +131,15 @@ def decide(world: World, tab: Tables, runs: Runs, node: int) -> None:
             runs.node_flags[node] = 0
             runs.flags[base] = 0
         level = 0
-        going = True
-        while going:
-            row = base + level
-            if runs.what[row] < 0:
-                going = False
-            else:
-                new = next_state(world, tab, runs, node, row, level, now, stamp)
-                if new != runs.state[row]:
-                    enter(tab, runs, node, level, new, now)
-                if runs.depth[node] == level + 1:
-                    going = False
-                else:
-                    level += 1
+        innermost = runs.depth[node] - 1
+        while runs.what[base + level] >= 0:
+            new = next_state(world, tab, runs, node, base + level, level, now, stamp)
+            if new != runs.state[base + level]:
+                enter(tab, runs, node, level, new, now)
+                innermost = runs.depth[node] - 1
+            if level == innermost:
+                break
+            level += 1
         perform(world, tab, runs, node, level, now, stamp)
         if runs.left[node] != 0:
             lower_directed(tab, runs, node)
@@ -168,6 +165,7 @@ def back_to_start(tab: Tables, runs: Runs, node: int, level: int, flag: int, now
     runs.flags[row] |= flag
     runs.state[row] = tab.start[runs.what[row]]
     runs.entered[row] = now
+    runs.leaf[row] = NO_LEAF
     runs.keys[row * tab.key_words] = NO_KEY
     runs.depth[node] = level + 1
 
@@ -212,6 +210,7 @@ def enter(tab: Tables, runs: Runs, node: int, level: int, new: int, now: int) ->
         runs.left[node] = 1
     runs.state[row] = new
     runs.entered[row] = now
+    runs.leaf[row] = NO_LEAF
     runs.keys[row * tab.key_words] = NO_KEY
     runs.depth[node] = level + 1
     content = tab.content[new]
@@ -239,6 +238,7 @@ def begin(tab: Tables, runs: Runs, row: int, what: int, now: int) -> None:
     runs.entered[row] = now
     runs.flags[row] = 0
     runs.pulsed[row] = 0
+    runs.leaf[row] = NO_LEAF
     runs.keys[row * tab.key_words] = NO_KEY
 
 
@@ -301,7 +301,47 @@ def lower_directed(tab: Tables, runs: Runs, node: int) -> None:
 def next_state(
     world: World, tab: Tables, runs: Runs, node: int, row: int, level: int, now: int, stamp: int
 ) -> int:
-    """Evaluate the transition function of the state that a run is in, and draw."""
+    """Evaluate the transition function of the state that a run is in, and draw.
+
+    Nearly all states decide by a single tree: what is more is left to `weighed`.
+    """
+    state = runs.state[row]
+    at = tab.code[state]
+    while tab.operation[at] == TEST:
+        at = branch(world, tab, runs, node, row, at, now, stamp)
+    if tab.operation[at] == DECIDE:
+        runs.leaf[row] = tab.goal[at]
+        if tab.no[at] >= 0:
+            return tab.no[at]  # type: ignore[no-any-return]
+        return drawn_at_leaf(tab, runs, node, state, tab.goal[at], level, now)
+    return weighed(world, tab, runs, node, row, at, level, now, stamp)
+
+
+def drawer(tab: Tables, node: int) -> int:
+    """The number that a node draws with."""
+    return node - tab.controllers if node >= tab.controllers else FIRST_CONTROLLER + node  # type: ignore[no-any-return]
+
+
+def branch(
+    world: World, tab: Tables, runs: Runs, node: int, row: int, at: int, now: int, stamp: int
+) -> int:
+    """Where a test leads."""
+    value = value_of(world, tab, runs, node, row, tab.use[at], tab.goal[at], now, stamp)
+    return tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]  # type: ignore[no-any-return]
+
+
+def weighed(  # noqa: PLR0917 - as many numbers as there are: compiled code takes scalars
+    world: World,
+    tab: Tables,
+    runs: Runs,
+    node: int,
+    row: int,
+    first: int,
+    level: int,
+    now: int,
+    stamp: int,
+) -> int:
+    """The next state by rules, trees and prunes, whose code goes on at *first*."""
     state = runs.state[row]
     entries = 0
     left = 1.0
@@ -309,12 +349,11 @@ def next_state(
     forbidden = 0
     trees = 0
     leaf = -1
-    at = tab.code[state]
+    at = first
     operation = tab.operation[at]
     while operation != END:
         if operation == TEST:
-            value = value_of(world, tab, runs, node, row, tab.use[at], now, stamp)
-            at = tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]
+            at = branch(world, tab, runs, node, row, at, now, stamp)
         elif operation == TAKE:
             probability = tab.low[at]
             runs.entry[entries] = tab.goal[at]
@@ -336,10 +375,8 @@ def next_state(
         operation = tab.operation[at]
     if leaf >= 0 or trees > 0:
         met |= LEARNED
-    drawer = node - tab.controllers if node >= tab.controllers else FIRST_CONTROLLER + node
-    if leaf >= 0 and entries == 0 and tab.prunable[state] == 0:
-        return decided_by_leaf(tab, runs, row, state, leaf, drawer, level, now)
-    return decided(tab, runs, row, state, leaf, trees, met, forbidden, entries, left, drawer, level, now)
+    who = drawer(tab, node)
+    return decided(tab, runs, row, state, leaf, trees, met, forbidden, entries, left, who, level, now)
 
 
 def decided(  # noqa: PLR0917 - as many numbers as there are: compiled code takes scalars
@@ -383,18 +420,9 @@ def changed_word(runs: Runs, at: int, word: int) -> int:
     return 1
 
 
-def decided_by_leaf(
-    tab: Tables, runs: Runs, row: int, state: int, leaf: int, drawer: int, level: int, now: int
-) -> int:
-    """The next state where a single tree decides alone: the short way to what `chosen` would say."""
-    changed = changed_word(runs, row * tab.key_words, LEARNED)
-    changed += changed_word(runs, row * tab.key_words + KEY_HEAD, leaf)
-    if tab.sampling[state] == HOLD and changed == 0:
-        return state
-    certain = tab.certain[leaf]
-    if certain >= 0:
-        return certain  # type: ignore[no-any-return]
-    u = draw(runs.once[MACHINE_KEY], now, drawer, level)
+def drawn_at_leaf(tab: Tables, runs: Runs, node: int, state: int, leaf: int, level: int, now: int) -> int:
+    """The next state that chance decides on at a leaf."""
+    u = draw(runs.once[MACHINE_KEY], now, drawer(tab, node), level)
     at = tab.shares_at[leaf]
     last = tab.labels[state] - 1
     k = 0
@@ -478,11 +506,10 @@ def most_probable(runs: Runs, entries: int) -> int:
 # ------------------------------------------------------------------------------------------- features
 
 
-def value_of(
-    world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, now: int, stamp: int
+def value_of(  # noqa: PLR0917 - as many numbers as there are: compiled code takes scalars
+    world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, source: int, now: int, stamp: int
 ) -> float:
-    """The value of a feature, sensed once a tick."""
-    source = tab.source[use]
+    """The value of a feature that comes from *source*, sensed once a tick."""
     if source == FLAG_UP:
         below = row + 1 - node * tab.levels
         return 1.0 if below < runs.depth[node] and runs.flags[row + 1] & tab.flag[use] != 0 else 0.0
@@ -505,7 +532,10 @@ def sensed(
     world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, me: int, stamp: int
 ) -> float:
     """An agent's feature with its targets; the default where one has no referent."""
-    for k in range(tab.slots[use]):
+    slots = tab.slots[use]
+    if slots == 0:
+        return sense(world, tab.feature[use], me, runs.sense_on, runs.once)
+    for k in range(slots):
         binding = tab.binding[tab.slots_at[use] + k]
         target = binding
         owner = node
@@ -566,3 +596,7 @@ def shown(tab: Tables, runs: Runs, use: int, below: int) -> float:
     if runs.depth[below] > 0:
         up |= runs.flags[below * tab.levels]
     return 1.0 if up & tab.flag[use] != 0 else 0.0
+
+
+#: What runs in few of the ticks of a node stays out of what runs in all: there it would take up registers.
+SELDOM = (enter, direct_all, lower_directed, back_to_start, weighed, drawn_at_leaf, statistic)

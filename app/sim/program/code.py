@@ -45,6 +45,12 @@ class Transition:
         return self.model.trees if isinstance(self.model, Forest) else (self.model,)
 
     @property
+    def is_plain(self) -> bool:
+        """Whether the leaf of a tree decides alone, by no more than a draw: nearly all learned states are like this."""
+        held = self.sampling is Sampling.HOLD
+        return isinstance(self.model, Tree) and not (self.rules or self.prunes or held)
+
+    @property
     def labels(self) -> tuple[str, ...]:
         """What the learned model can choose."""
         return () if self.model is None else self.model.labels
@@ -139,10 +145,12 @@ class Code:
         flat = flatten(tree)
         paths, at = _paths(flat), [0] * len(nodes)
         operation = tables.TREE_OF_FOREST if isinstance(transition.model, Forest) else tables.LEAF
+        if transition.is_plain:
+            operation = tables.DECIDE
         for k, node in reversed(list(enumerate(nodes))):
             if isinstance(node, Leaf):
                 leaf = self._leaf(transition, number, shares(node.counts), paths[k])
-                at[k] = self._put(operation, use=number, yes=after, goal=leaf)
+                at[k] = self._put(operation, use=number, yes=after, no=self.certain[leaf], goal=leaf)
             else:
                 at[k] = self._test(node.test, transition.uses, at[flat.yes[k]], at[flat.no[k]])
         return at[0]

@@ -186,6 +186,7 @@ class _Lowering:
             transition.labels,
             len(transition.trees),
             bool(transition.prunes),
+            transition.is_plain,
         )
         content, held, slots, bindings = self._content(kind, state.content)
         self._rows.add(
@@ -374,6 +375,10 @@ class _Lowering:
         }
         for name in ("operation", "use", "low", "high", "yes", "no", "goal", "mask", *_LEAF_COLUMNS):
             found[name] = getattr(code, name)
+        found["goal"] = [  # only now are the sources of all uses known
+            self._rows.columns["source"][use] if operation == tables.TEST else goal
+            for operation, use, goal in zip(code.operation, code.use, code.goal, strict=True)
+        ]
         return Program(
             self._sizes(),
             {name: _column(found.get(name, []), letter) for name, letter in TABLE_COLUMNS.items()},

@@ -14,7 +14,7 @@ from ...core.automaton import Automaton
 from ...core.vocabulary import BasicBehavior
 
 # Operations of transition code.
-TEST, TAKE, FORBID, LEAF, TREE_OF_FOREST, END = range(6)
+TEST, TAKE, FORBID, LEAF, DECIDE, TREE_OF_FOREST, END = range(7)
 # What a state holds.
 NOTHING, BASIC, NESTED, FLAG = range(4)
 # Sources of feature uses.
@@ -30,6 +30,8 @@ MOST_BITS = 60
 LEARNED = 1 << MOST_BITS
 #: The first word of the key of a state that has not been evaluated since it was entered.
 NO_KEY = -1
+#: The leaf of a state that no leaf has decided on alone since it was entered.
+NO_LEAF = -1
 #: Words of a key before those of the trees: rules met, labels possible.
 KEY_HEAD = 2
 #: The flag of the agent itself, `finished`, always has the first bit.
@@ -45,8 +47,8 @@ TABLE_COLUMNS: Mapping[str, str] = {
     "low": "f",  # the least value that passes a test; a rule's probability
     "high": "f",  # the greatest value that passes a test
     "yes": "i",  # where to go on
-    "no": "i",  # where to go on when a test fails
-    "goal": "i",  # a rule's state; a leaf
+    "no": "i",  # where to go on when a test fails; a leaf's `certain`
+    "goal": "i",  # a rule's state; a leaf; a test's source of values
     "mask": "i",  # a rule's bit; the labels that a prune forbids
     # leaves
     "shares_at": "i",  # first of the leaf's probabilities
@@ -135,6 +137,7 @@ class StateRow:
     labels: tuple[str, ...] = ()
     trees: int = 0
     prunable: bool = False
+    plain: bool = False
 
 
 @dataclass(frozen=True, slots=True)

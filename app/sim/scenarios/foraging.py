@@ -139,10 +139,10 @@ def direction_to(world: World, me: int, target: int) -> float:
 def i_can_see_a_box(world: World, me: int) -> float:
     """Whether a box that still needs pullers is within sight."""
     far = world.params.sight * world.params.sight
-    seen = False
+    near = False
     for box in range(world.first_box, world.end_box):
-        seen |= (world.pulling[box] < world.needed[box]) & (square_distance(world, me, box) <= far)
-    return 1.0 if seen else 0.0
+        near |= square_distance(world, me, box) <= far
+    return 1.0 if near and nearest_box_within(world, me, world.params.sight) >= 0 else 0.0
 
 
 @scenario.feature(
@@ -330,6 +330,11 @@ def place_box(world: World, box: int, number: int) -> None:
 @scenario.resolve
 def settle_grabs(world: World) -> None:
     """Let agents go, then attach those who grab; where more grab than a box needs, the lowest draws win."""
+    asked = False
+    for agent in range(world.agents):
+        asked |= (world.lets_go[agent] != 0) | (world.wants[agent] >= 0)
+    if not asked:
+        return
     for agent in range(world.agents):
         if world.lets_go[agent] == 1 and not may_let_go(world, agent):
             world.lets_go[agent] = 0
