@@ -3,6 +3,10 @@
 numba may be imported here and nowhere else.
 """
 
-from .engine import KernelEngine
+from .processor import avoid_wide_vectors
+
+avoid_wide_vectors()
+
+from .engine import KernelEngine  # noqa: E402 - numba looks at its settings when it first compiles
 
 __all__ = ["KernelEngine"]

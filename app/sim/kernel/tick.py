@@ -322,9 +322,7 @@ def drawer(tab: Tables, node: int) -> int:
     return node - tab.controllers if node >= tab.controllers else FIRST_CONTROLLER + node  # type: ignore[no-any-return]
 
 
-def branch(
-    world: World, tab: Tables, runs: Runs, node: int, row: int, at: int, now: int, stamp: int
-) -> int:
+def branch(world: World, tab: Tables, runs: Runs, node: int, row: int, at: int, now: int, stamp: int) -> int:
     """Where a test leads."""
     value = value_of(world, tab, runs, node, row, tab.use[at], tab.goal[at], now, stamp)
     return tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]  # type: ignore[no-any-return]
@@ -510,16 +508,27 @@ def value_of(  # noqa: PLR0917 - as many numbers as there are: compiled code tak
     world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, source: int, now: int, stamp: int
 ) -> float:
     """The value of a feature that comes from *source*, sensed once a tick."""
+    if source == SENSE:
+        if runs.use_stamp[use] != stamp:
+            runs.use_stamp[use] = stamp
+            me = node - tab.controllers
+            runs.use_value[use] = sensed(world, tab, runs, node, row, use, me, stamp)
+        return runs.use_value[use]  # type: ignore[no-any-return]
     if source == FLAG_UP:
         below = row + 1 - node * tab.levels
         return 1.0 if below < runs.depth[node] and runs.flags[row + 1] & tab.flag[use] != 0 else 0.0
     if source == TICKS_IN_STATE:
         return float(now - runs.entered[row])
+    return of_those_below(world, tab, runs, node, row, use, source, stamp)
+
+
+def of_those_below(
+    world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, source: int, stamp: int
+) -> float:
+    """The value of a controller's feature, sensed once a tick."""
     if runs.use_stamp[use] != stamp:
         runs.use_stamp[use] = stamp
-        if source == SENSE:
-            runs.use_value[use] = sensed(world, tab, runs, node, row, use, node - tab.controllers, stamp)
-        elif source == GROUP:
+        if source == GROUP:
             runs.use_value[use] = sense_group(
                 world, tab.feature[use], tab.first_member[node], tab.end_member[node], runs.once
             )
@@ -599,4 +608,4 @@ def shown(tab: Tables, runs: Runs, use: int, below: int) -> float:
 
 
 #: What runs in few of the ticks of a node stays out of what runs in all: there it would take up registers.
-SELDOM = (enter, direct_all, lower_directed, back_to_start, weighed, drawn_at_leaf, statistic)
+SELDOM = (enter, direct_all, lower_directed, back_to_start, weighed, drawn_at_leaf, of_those_below)

@@ -6,7 +6,7 @@ passes tick after tick as the kernel does, and looks at every box in each: the s
 The behavior is the library in ``resources/bench/forager``, which was learned in ``projects/foraging``.
 """
 
-from math import atan2, cos, nextafter, pi, sin, sqrt
+from math import atan2, cos, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -58,8 +58,8 @@ class Yardstick:
             p.height,
             p.step,
             turn,
-            _square_below(p.sight),
-            p.grab_range,
+            p.sight * p.sight,
+            p.grab_range * p.grab_range,
             p.deposit_range,
         )
         self._sizes = (agents, world.first_box, world.end_box, world.first_deposit)
@@ -103,16 +103,6 @@ def _refuse_unknown(start: Start) -> None:
             raise ScenarioError(
                 f"the loop written by hand knows only {known!r} as {what}, but found {found!r}"
             )
-
-
-def _square_below(reach: float) -> float:
-    """The largest number whose root is at most *reach*: comparing with it spares the root."""
-    square = reach * reach
-    while sqrt(square) <= reach:
-        square = nextafter(square, float("inf"))
-    while sqrt(square) > reach:
-        square = nextafter(square, 0.0)
-    return square
 
 
 @njit(forceinline=True)
@@ -166,7 +156,7 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
     open_y,
 ):
     agents, first_box, end_box, deposit = sizes
-    width, height, step, turn, sight_squared, grab_range, deposit_range = numbers
+    width, height, step, turn, sight_squared, grab_squared, deposit_range = numbers
     home_x, home_y = x[deposit], y[deposit]
     key = clock[3]
     settled = False
@@ -219,21 +209,20 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
                 act = FORWARD
             if TO_BOX <= state <= TO_BOX_RIGHT:
                 nearest = _NOBODY
-                distance = 1000.0
+                least = sight_squared
                 for k in range(opened):
                     dx = open_x[k] - mx
                     dy = open_y[k] - my
                     square = dx * dx + dy * dy
-                    if square <= sight_squared:
-                        d = sqrt(square)
-                        if d < distance or nearest < 0:
-                            nearest = k
-                            distance = d
+                    if square < least or (nearest < 0 and square == least):
+                        nearest = k
+                        least = square
+                distance = sqrt(least) if nearest >= 0 else 1000.0
                 if begins and distance > 504.3895867177842:
                     state = OVER
                 elif not begins and distance <= 4.497469768362239:
                     state = GRAB
-                    if distance <= grab_range:
+                    if nearest >= 0 and least <= grab_squared:
                         grabs[grabbing] = me
                         wanted[grabbing] = open_box[nearest]
                         grabbing += 1
