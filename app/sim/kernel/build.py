@@ -137,7 +137,7 @@ def _loaded(scenario: Scenario, layout: Layout, path: Path) -> ModuleType:
     module = module_from_spec(spec)
     functions = scenario_functions(scenario)
     linker = linking.Linker(
-        _compile_one, twins.TWINS, tick.SELDOM, inline_loops=len(functions) <= MOST_INLINED
+        _compile_one, twins.TWINS, tick.APART, inline_loops=len(functions) <= MOST_INLINED
     )
     vars(module).update({called: linker.linked(function) for called, function in functions.items()})
     vars(module).update(

@@ -178,15 +178,20 @@ def pulse(world: World, tab: Tables, runs: Runs, node: int, row: int, basic: int
             runs.node_flags[node] |= FINISHED_BIT
         runs.flags[row] |= tab.raises[basic]
         agent = node - tab.controllers
-        found = True
-        for k in range(tab.arity[basic]):
-            slot = row * tab.arguments + k
-            entity = found_by(world, tab, runs, runs.argument[slot], runs.owner[slot], agent, stamp)
-            runs.act_on[agent * tab.slots_most + k] = entity
-            if entity == -1:
-                found = False
-        if found:
+        if tab.arity[basic] == 0 or aimed(world, tab, runs, row, basic, agent, stamp):
             runs.act[agent] = tab.behavior[basic]
+
+
+def aimed(world: World, tab: Tables, runs: Runs, row: int, basic: int, agent: int, stamp: int) -> bool:
+    """Look for the entities of a basic behavior; False where a target has no referent."""
+    found = True
+    for k in range(tab.arity[basic]):
+        slot = row * tab.arguments + k
+        entity = found_by(world, tab, runs, runs.argument[slot], runs.owner[slot], agent, stamp)
+        runs.act_on[agent * tab.slots_most + k] = entity
+        if entity == -1:
+            found = False
+    return found
 
 
 def found_by(world: World, tab: Tables, runs: Runs, target: int, owner: int, me: int, stamp: int) -> int:
@@ -542,20 +547,34 @@ def sensed(
 ) -> float:
     """An agent's feature with its targets; the default where one has no referent."""
     slots = tab.slots[use]
-    if slots == 0:
-        return sense(world, tab.feature[use], me, runs.sense_on, runs.once)
-    for k in range(slots):
-        binding = tab.binding[tab.slots_at[use] + k]
-        target = binding
-        owner = node
-        if binding < 0:
-            target = runs.argument[row * tab.arguments - 1 - binding]
-            owner = runs.owner[row * tab.arguments - 1 - binding]
-        entity = found_by(world, tab, runs, target, owner, me, stamp)
-        runs.sense_on[k] = entity
-        if entity == -1:
+    if slots > 0:
+        entity = bound_to(world, tab, runs, node, row, tab.binding[tab.slots_at[use]], me, stamp)
+        runs.sense_on[0] = entity
+        if entity == -1 or (slots > 1 and not others_found(world, tab, runs, node, row, use, me, stamp)):
             return tab.default[use]  # type: ignore[no-any-return]
     return sense(world, tab.feature[use], me, runs.sense_on, runs.once)
+
+
+def others_found(
+    world: World, tab: Tables, runs: Runs, node: int, row: int, use: int, me: int, stamp: int
+) -> bool:
+    """Look for a feature's targets from the second on; False where one has no referent."""
+    for k in range(1, tab.slots[use]):
+        entity = bound_to(world, tab, runs, node, row, tab.binding[tab.slots_at[use] + k], me, stamp)
+        runs.sense_on[k] = entity
+        if entity == -1:
+            return False
+    return True
+
+
+def bound_to(
+    world: World, tab: Tables, runs: Runs, node: int, row: int, binding: int, me: int, stamp: int
+) -> int:
+    """The entity that a binding means: a target of the node itself, or one that a parameter stands for."""
+    if binding >= 0:
+        return found_by(world, tab, runs, binding, node, me, stamp)
+    slot = row * tab.arguments - 1 - binding
+    return found_by(world, tab, runs, runs.argument[slot], runs.owner[slot], me, stamp)
 
 
 def statistic(world: World, tab: Tables, runs: Runs, node: int, row: int, use: int) -> float:
@@ -608,4 +627,14 @@ def shown(tab: Tables, runs: Runs, use: int, below: int) -> float:
 
 
 #: What runs in few of the ticks of a node stays out of what runs in all: there it would take up registers.
-SELDOM = (enter, direct_all, lower_directed, back_to_start, weighed, drawn_at_leaf, of_those_below)
+APART = (
+    enter,
+    direct_all,
+    lower_directed,
+    back_to_start,
+    weighed,
+    drawn_at_leaf,
+    of_those_below,
+    others_found,
+    aimed,
+)
