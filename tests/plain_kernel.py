@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
@@ -49,8 +49,8 @@ def plain_kernel(text: str = TEXT) -> Iterator[None]:
         world = self.shape._replace(**columns)
         run(
             world,
-            generated.Tables(**tables, **sizes),
-            generated.Runs(*(runs[name] for name in RUN_COLUMNS)),
+            SimpleNamespace(**tables, **sizes),
+            SimpleNamespace(**runs),
             ticks,
             WHOLE,
         )
@@ -61,7 +61,7 @@ def plain_kernel(text: str = TEXT) -> Iterator[None]:
         return bool(runs["once"][FAULT] == 0)
 
     def built(scenario: Any, layout: Any, *_: object) -> None:
-        if "Tables" not in vars(generated):
+        if "kernel" not in vars(generated):
             exec(kernel_source(scenario, layout), vars(generated))  # noqa: S102 - our own text
 
     with patch.object(FlatWorld, "run", passed), patch.object(flat, "build", built):

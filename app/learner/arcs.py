@@ -156,11 +156,11 @@ class _Search:
             self._evaluate(runs[first, length // 2], runs[second, length // 2])
             bound = self._bounds(runs, first, second)
             hopeful = np.flatnonzero(bound >= self.highest - TOLERANCE)
-            hopeful = hopeful[np.argsort(-bound[hopeful], kind="stable")]
             first, second, bound = first[hopeful], second[hopeful], bound[hopeful]
             if finer > 1:
                 first, second = _divided(first, second, length // finer, -(-count // finer))
-        self._evaluate_within(runs, first, second, bound)
+        order = np.argsort(-bound, kind="stable")
+        self._evaluate_within(runs, first[order], second[order], bound[order])
         low, high, gain, information = (np.concatenate(column) for column in zip(*self._near, strict=True))
         return low, high, gain, information
 

@@ -19,7 +19,10 @@ _TINY = np.finfo(np.float64).tiny
 
 def xlog2(x: Floats) -> Floats:
     """x log2 x, and 0 at 0; rounding that left x just below 0 counts as 0."""
-    return np.asarray(x * np.log2(np.maximum(x, _TINY)), np.float64)
+    found = np.maximum(x, _TINY)
+    np.log2(found, out=found)
+    found *= x
+    return found
 
 
 def disorder(weights: Floats) -> Floats:

@@ -139,10 +139,10 @@ def direction_to(world: World, me: int, target: int) -> float:
 def i_can_see_a_box(world: World, me: int) -> float:
     """Whether a box that still needs pullers is within sight."""
     far = world.params.sight * world.params.sight
-    near = False
+    near = 0
     for box in range(world.first_box, world.end_box):
-        near |= square_distance(world, me, box) <= far
-    return 1.0 if near and nearest_box_within(world, me, world.params.sight) >= 0 else 0.0
+        near += square_distance(world, me, box) <= far
+    return 1.0 if near > 0 and nearest_box_within(world, me, world.params.sight) >= 0 else 0.0
 
 
 @scenario.feature(

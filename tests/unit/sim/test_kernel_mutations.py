@@ -44,14 +44,14 @@ MISTAKES = {
         "> runs.state_total[best]",
         ">= runs.state_total[best]",
     ),
-    "every level draws the same number": ("drawer, level)\n    at = tab", "drawer, 0)\n    at = tab"),
+    "every level draws the same number": ("drawer(tab, node), level)", "drawer(tab, node), 0)"),
     "controllers draw as agents": ("else FIRST_CONTROLLER + node", "else node"),
     "entering keeps the old tick": (
         "    runs.state[row] = new\n    runs.entered[row] = now",
         "    runs.state[row] = new",
     ),
     "a one-shot goes on": ("runs.pulsed[row] == 0 or tab.once[basic] == 0", "runs.pulsed[row] >= 0"),
-    "an open target is no reason to idle": ("if entity == -1:\n                found = False", "pass"),
+    "an open target is no reason to idle": ("if entity == -1:\n            found = False", "pass"),
     "a feature without referent is 0": ("return tab.default[use]", "return 0.0"),
     "finished is not raised": ("runs.node_flags[node] |= FINISHED_BIT", "pass"),
     "a flag raised replaces those that are up": ("runs.flags[row] |= flag", "runs.flags[row] = flag"),
@@ -70,8 +70,8 @@ MISTAKES = {
         "                pass",
     ),
     "a parameter's owner is who uses it": (
-        "owner = runs.owner[row * tab.arguments - 1 - binding]",
-        "owner = node",
+        "runs.argument[slot], runs.owner[slot], me, stamp)",
+        "runs.argument[slot], node, me, stamp)",
     ),
     "a directed behavior's target is its own": (
         "runs.owner[row * tab.arguments + k] = runs.direction_owner[parent * tab.arguments + k]",
