@@ -7,15 +7,19 @@ from types import ModuleType, SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
-from app.sim.kernel import flat, tick
+from app.sim.kernel import deciding, entering, features, flat, tick
+from app.sim.kernel.calls import ENTITIES, FAULT
 from app.sim.kernel.flat import FlatWorld
 from app.sim.kernel.source import SIZES, kernel_source, scenario_functions
 from app.sim.kernel.state import RUN_COLUMNS
-from app.sim.kernel.tick import ENTITIES, FAULT, WHOLE
+from app.sim.kernel.tick import WHOLE
 from app.sim.program.tables import TABLE_COLUMNS
 from tests.playground import scenario as playground
 
-TEXT = Path(str(tick.__file__)).read_text(encoding="utf-8")
+#: A module comes before those that it imports from: what these define then takes the place of what was imported.
+TEXT = "\n\n".join(
+    Path(str(module.__file__)).read_text(encoding="utf-8") for module in (tick, entering, deciding, features)
+)
 Run = Callable[[Any, Any, Any, int, int], None]
 
 

@@ -11,8 +11,8 @@ def distance(world: Any, a: int, b: int) -> float:
 
 def square_distance(world: Any, a: int, b: int) -> float:
     """The square of `distance`: comparing squares spares the roots."""
-    dx = world.x[b] - world.x[a]
-    dy = world.y[b] - world.y[a]
+    dx: float = world.x[b] - world.x[a]
+    dy: float = world.y[b] - world.y[a]
     return dx * dx + dy * dy
 
 

@@ -62,7 +62,7 @@ def build(
         UncompilableError: numba cannot compile one of the scenario's functions.
     """
     source = kernel_source(scenario, layout)
-    name = "kernel_" + _digest(scenario, source)
+    name = "kernel_" + _digest(scenario, layout, source)
     with _LOCK:
         if name not in _KERNELS:
             path = writable(folder or cache_folder()) / f"{name}.py"
@@ -85,10 +85,11 @@ def writable(folder: Path) -> Path:
         return Path(mkdtemp(prefix="understudy-kernels-"))
 
 
-def _digest(scenario: Scenario, source: str) -> str:
+def _digest(scenario: Scenario, layout: Layout, source: str) -> str:
     functions = {**scenario_functions(scenario), "run": tick.run}
     for module in (columns, twins, linking):
         source += Path(str(module.__file__)).read_text(encoding="utf-8")
+    source += repr((world_places(layout), tables_places(), runs_places()))
     versions = f"{numba.__version__} {np.__version__} {sys.version}"
     return hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
 

@@ -9,10 +9,11 @@ from ..physics import Physics
 from ..program.tables import TABLE_COLUMNS, Column, Program, Sizes
 from ..scenario import Scenario, World
 from .build import Block, Notice, build
+from .calls import ENTITIES, FAULT
 from .records import TABLE_RECORDS, addresses, laid_out, packed, records
 from .source import MEMORY, SIZES, layout_of
 from .state import RUN_RECORDS
-from .tick import AFTER_MOVING, BEFORE_MOVING, ENTITIES, FAULT, WHOLE
+from .tick import AFTER_MOVING, BEFORE_MOVING, WHOLE
 
 
 class FlatWorld:
@@ -123,10 +124,12 @@ class FlatWorld:
             column[:] = before
 
 
-def _block(numbers: Sequence[float]) -> Block:
+def _block(numbers: Sequence[float | int]) -> Block:
     """Words for compiled code: whole numbers as they are, others by their bits."""
-    bits = [np.float64(n).view(np.int64) if isinstance(n, float) else n for n in numbers]
-    return np.array(bits, np.int64)
+    words = np.zeros(len(numbers), np.int64)
+    for k, number in enumerate(numbers):
+        words[k : k + 1].view(np.float64 if isinstance(number, float) else np.int64)[0] = number
+    return words
 
 
 def _sizes(sizes: Sizes) -> list[int]:

@@ -33,7 +33,6 @@ TABLE_RECORDS = records(
     TABLE_COLUMNS,
     (
         ("operation", "use", "low", "high", "yes", "no", "goal", "mask"),
-        ("shares_at", "certain"),
         ("share", "running"),
         (
             "code",

@@ -8,8 +8,8 @@ from ...core.errors import ProgramError
 from ...core.machine import Machine
 from ...core.vocabulary import BasicBehavior
 from ..program.tables import KEY_HEAD, LEARNED, NO_KEY, NO_LEAF, Column, Program, Sizes
+from .calls import MACHINE_KEY
 from .records import laid_out, records
-from .tick import MACHINE_KEY
 
 #: Column name -> float64 ("f") or int64 ("i"), in the order in which a kernel takes them.
 RUN_COLUMNS: Mapping[str, str] = {

@@ -69,7 +69,6 @@ class Code:
     goal: list[int] = field(default_factory=list)
     mask: list[int] = field(default_factory=list)
     shares_at: list[int] = field(default_factory=list)
-    certain: list[int] = field(default_factory=list)
     share: list[float] = field(default_factory=list)
     running: list[float] = field(default_factory=list)
     leaves: list[LeafRow] = field(default_factory=list)
@@ -149,8 +148,10 @@ class Code:
             operation = tables.DECIDE
         for k, node in reversed(list(enumerate(nodes))):
             if isinstance(node, Leaf):
-                leaf = self._leaf(transition, number, shares(node.counts), paths[k])
-                at[k] = self._put(operation, use=number, yes=after, no=self.certain[leaf], goal=leaf)
+                probabilities = shares(node.counts)
+                leaf = self._leaf(transition, number, probabilities, paths[k])
+                certain = _certain(transition, probabilities)
+                at[k] = self._put(operation, use=number, yes=after, no=certain, goal=leaf)
             else:
                 at[k] = self._test(node.test, transition.uses, at[flat.yes[k]], at[flat.no[k]])
         return at[0]
@@ -160,7 +161,6 @@ class Code:
         self.leaves.append(LeafRow(path, probabilities))
         self.leaf_rows[transition.row, tree, path] = row
         self.shares_at.append(len(self.share))
-        self.certain.append(_certain(transition, probabilities))
         total = 0.0
         for p in probabilities:
             total += p

@@ -444,7 +444,7 @@ _STATE_NOWHERE = dict.fromkeys(
     ),
     0,
 )
-_LEAF_COLUMNS = ("shares_at", "certain", "share", "running")
+_LEAF_COLUMNS = ("shares_at", "share", "running")
 
 
 def _column(values: list[int] | list[float], letter: str) -> tables.Column:

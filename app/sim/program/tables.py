@@ -47,12 +47,11 @@ TABLE_COLUMNS: Mapping[str, str] = {
     "low": "f",  # the least value that passes a test; a rule's probability
     "high": "f",  # the greatest value that passes a test
     "yes": "i",  # where to go on
-    "no": "i",  # where to go on when a test fails; a leaf's `certain`
+    "no": "i",  # where to go on when a test fails; the state that a leaf decides on whatever is drawn, or -1
     "goal": "i",  # a rule's state; a leaf; a test's source of values
     "mask": "i",  # a rule's bit; the labels that a prune forbids
     # leaves
     "shares_at": "i",  # first of the leaf's probabilities
-    "certain": "i",  # the state that the leaf alone decides on, whatever is drawn; or -1
     "share": "f",  # probabilities
     "running": "f",  # their running sums
     # states
