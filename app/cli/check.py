@@ -8,7 +8,9 @@ from ..core.check import PROJECT_FILE, check
 from ..core.errors import EditError, ParameterError, ScenarioError
 from ..core.project import Project
 from ..core.storage import FilesError
+from ..engine.experiments.load import experiments_in, load_experiment
 from ..engine.scenarios import OWN_CODE, TrustError, open_scenario
+from ..sim import portable, trial
 from ..sim.scenario import Scenario
 from .console import show, show_json
 from .exits import DONE, WRONG_INPUT
@@ -71,7 +73,27 @@ def judge(folder: Path, *, trust: bool) -> Verdict:
         return Verdict((Complaint(PROJECT_FILE, "scenario", str(error)),), "names, bindings and parameters")
     found = check(project, scenario.vocabulary)
     complaints = [Complaint(p.file, p.where, p.message, p.severity, p.fix) for p in found]
-    return Verdict((*complaints, *_of_parameters(project, scenario)))
+    complaints += _of_parameters(project, scenario)
+    if project.scenario == OWN_CODE:
+        complaints += _of_code(scenario)
+    return Verdict((*complaints, *_of_experiments(folder, project, scenario)))
+
+
+def _of_code(scenario: Scenario) -> list[Complaint]:
+    """What a scenario of the project's own does against the contract; what cannot be compiled only runs more slowly."""
+    slow = [Complaint(OWN_CODE, "", fault, "warning") for fault in portable.faults(scenario)]
+    return slow + [Complaint(OWN_CODE, "", fault) for fault in trial.faults(scenario)]
+
+
+def _of_experiments(folder: Path, project: Project, scenario: Scenario) -> list[Complaint]:
+    """What is wrong with the files of experiments."""
+    found = []
+    for name in experiments_in(folder):
+        try:
+            load_experiment(folder, name, project, scenario)
+        except FilesError as error:
+            found += [Complaint(p.file, p.where, p.message) for p in error.problems]
+    return found
 
 
 def _of_parameters(project: Project, scenario: Scenario) -> list[Complaint]:

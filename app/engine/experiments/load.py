@@ -148,17 +148,23 @@ def _wrong_factor(
     for place, settings in levels:
         for arm in record.arms:
             if arm.arm in known:
-                told = list(_refused(place, arm.arm, {**arm.settings, **settings}, project, scenario))
+                both = {**arm.settings, **settings}
+                told = list(_refused(place, arm.arm, both, project, scenario, arm.settings))
                 yield from told
                 if told:
                     break
 
 
 def _refused(
-    where: str, arm: str, settings: Settings, project: Project, scenario: Scenario
+    where: str,
+    arm: str,
+    settings: Settings,
+    project: Project,
+    scenario: Scenario,
+    sound: Settings | None = None,
 ) -> Iterator[Told]:
     try:
-        refuse_settings(project, scenario, arm, settings)
+        refuse_settings(project, scenario, arm, settings, sound)
     except UnderstudyError as error:
         yield where, str(error)
 

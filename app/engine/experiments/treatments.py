@@ -107,8 +107,14 @@ class Treatments:
         return self._flats[arm.name]
 
 
-def refuse_settings(project: Project, scenario: Scenario, arm_name: str, settings: Settings) -> None:
-    """Raise an error that says what is wrong with the settings of an arm, if something is."""
+def refuse_settings(
+    project: Project, scenario: Scenario, arm_name: str, settings: Settings, sound: Settings | None = None
+) -> None:
+    """Raise an error that says what is wrong with the settings of an arm, if something is.
+
+    Args:
+        sound: Settings with which nothing was wrong: where the project is the same, it is not checked once more.
+    """
     wanted = sorted_settings(settings)
     project, arm = changed(project, arm_name, settings)
     treatment(project, scenario, arm, wanted.scenario)
@@ -116,6 +122,8 @@ def refuse_settings(project: Project, scenario: Scenario, arm_name: str, setting
         wanted.lesson.refuse_bad()
     if wanted.flat:
         refuse_controllers(arm)
+    if sound is not None and _of_project(settings) == _of_project(sound):
+        return
     others = tuple(arm if a.name == arm.name else a for a in project.arms)
     refuse(replace(project, arms=others), scenario.vocabulary, arm.name)
 
@@ -137,6 +145,11 @@ def sorted_settings(settings: Settings) -> Sorted:
     if not isinstance(flat, bool):
         raise ParameterError(f"'learner.flat' must be true or false, but found {flat!r}")
     return Sorted(scenario, _lesson(learner, flat=flat), flat)
+
+
+def _of_project(settings: Settings) -> Settings:
+    """Those that change behaviors or the hierarchy."""
+    return {k: v for k, v in settings.items() if not (_is_scenario(k) or k.startswith("learner."))}
 
 
 def _is_scenario(key: str) -> bool:

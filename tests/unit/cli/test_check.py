@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from app.cli import main
+from app.cli.places import shipped_project
 from app.core.project import Project
 from tests.unit.cli.foraging import ARMS, project, stored
 
@@ -148,3 +149,49 @@ def test_a_scenario_that_is_not_there_is_answered_with_those_there_are(
     folder = stored(tmp_path / "p", replace(project(), scenario="foragin"))
     (problem,) = problems(folder, capsys)
     assert "foraging" in problem["message"]
+
+
+def test_what_is_wrong_with_an_experiment_is_found(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "experiments").mkdir()
+    figure3 = json.loads((shipped_project("foraging") / "experiments" / "figure3.json").read_text())
+    experiment = {**figure3, "arms": [{**arm, "arm": "nobody"} for arm in figure3["arms"]]}
+    (folder / "experiments" / "none.json").write_text(json.dumps(experiment))
+    (folder / "experiments" / "torn.json").write_text("{")
+    found = problems(folder, capsys)
+    assert {problem["file"] for problem in found} == {"experiments/none.json", "experiments/torn.json"}
+    assert any("'nobody'" in problem["message"] for problem in found)
+
+
+def own_scenario(tmp_path: Path, body: str) -> Path:
+    """A project whose own scenario is the shipped one with one more behavior."""
+    folder = with_code(tmp_path)
+    code = f"""
+from math import hypot
+from app.sim.scenarios.foraging import scenario as shipped
+from copy import copy
+scenario = copy(shipped)
+scenario.behaviors, scenario._behaviors = dict(shipped.behaviors), dict(shipped._behaviors)
+
+@scenario.behavior("Jump")
+def jump(world, me):
+    '''Jump.'''
+    {body}
+"""
+    (folder / "scenario.py").write_text(code)
+    return folder
+
+
+def test_code_that_cannot_be_compiled_is_warned_of(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (problem,) = problems(own_scenario(tmp_path, "world.drive[me] = hypot(0.0, 1.0)"), capsys, "--trust")
+    assert (problem["file"], problem["severity"]) == ("scenario.py", "warning")
+    assert "hypot" in problem["message"]
+
+
+def test_code_that_breaks_the_contract_is_a_problem(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (problem,) = problems(own_scenario(tmp_path, "world.drive[0] = 1.0"), capsys, "--trust")
+    assert (problem["file"], problem["severity"]) == ("scenario.py", "error")
+    assert "Jump" in problem["message"]
