@@ -5,7 +5,7 @@ referent; behaviors that run once, raise flags, finish, and take targets; childr
 """
 
 from dataclasses import dataclass
-from math import atan2, cos, pi, sin
+from math import atan2, pi
 
 from app.sim.scenario import (
     DONE,
@@ -19,6 +19,8 @@ from app.sim.scenario import (
     World,
     clamped,
     distance,
+    heading_cos,
+    heading_sin,
     quantity,
     uniform,
     wrapped,
@@ -254,8 +256,8 @@ def move(world: World) -> None:
     """Turn, walk, and carry."""
     for child in range(world.agents):
         world.heading[child] = wrapped(world.heading[child] + world.turn[child])
-        x = world.x[child] + world.drive[child] * cos(world.heading[child])
-        y = world.y[child] + world.drive[child] * sin(world.heading[child])
+        x = world.x[child] + world.drive[child] * heading_cos(world, child)
+        y = world.y[child] + world.drive[child] * heading_sin(world, child)
         world.x[child] = clamped(x, world.params.side)
         world.y[child] = clamped(y, world.params.side)
         if world.holds[child] >= 0:

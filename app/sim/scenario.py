@@ -91,6 +91,10 @@ numbers. So they keep to numbers, ``if``, ``for`` over ``range``, ``while``, ``a
 * lists, dicts, strings, ``None``, exceptions, classes, nested functions, other modules, other randomness, clocks;
 * variables of the module that change: state is in columns, and nowhere else.
 
+Of an entity's heading take ``heading_cos(world, entity)`` and ``heading_sin``: the same numbers as `cos` and `sin` of
+``world.heading[entity]``, which engines remember until it turns. Where only the nearer of two counts, or whether something
+lies within reach, compare ``square_distance``: no root has to be drawn.
+
 `app.sim.portable` finds most of this by reading, `app.sim.trial` the rest of what is promised here by trying.
 '''
 
@@ -119,7 +123,7 @@ from ..core.vocabulary import (
 from .bodies import Bodies, refuse_bad_bodies
 from .columns import STANDARD_COLUMNS, Column, Kind, Per, refuse_bad_columns, refuse_bad_kinds
 from .failure import failed
-from .geometry import clamped, distance, wrapped
+from .geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
 from .parameters import checked, default, parameter_fields, quantity
 from .ranges import refuse_bad_feature
 
@@ -139,7 +143,10 @@ __all__ = [
     "World",
     "clamped",
     "distance",
+    "heading_cos",
+    "heading_sin",
     "quantity",
+    "square_distance",
     "uniform",
     "wrapped",
 ]

@@ -40,19 +40,34 @@ class Bell:
 
 
 class Gate:
-    """Stands in for `learn`: works until the test lets it go on, or it is told to stop."""
+    """Stands in for `learn`: works until the test opens the gate, or it is told to stop."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.begun, self.open, self.cancelled = Event(), Event(), Event()
+        self.begun, self.cancelled = Event(), Event()
+        self._stirred = stirred = Event()
         self._learn: Callable[..., Learned] = learn
+
+        class Stop(Event):
+            """What a learner tells its worker to stop by; it wakes who waits at the gate."""
+
+            def set(self) -> None:
+                super().set()
+                stirred.set()
+
         monkeypatch.setattr(learning, "learn", self)
+        monkeypatch.setattr(learning, "Event", Stop)
+
+    def open(self) -> None:
+        """Let who waits go on."""
+        self._stirred.set()
 
     def __call__(self, *args: Any, cancelled: Callable[[], bool], **kwargs: Any) -> Learned:
         self.begun.set()
-        while not self.open.wait(0.001):
-            if cancelled():
-                self.cancelled.set()
-                raise LearningCancelled
+        assert self._stirred.wait(PATIENCE)
+        self._stirred.clear()
+        if cancelled():
+            self.cancelled.set()
+            raise LearningCancelled
         return self._learn(*args, cancelled=cancelled, **kwargs)
 
 
@@ -91,7 +106,7 @@ def test_a_worker_gives_no_answer_before_it_is_done(gate: Gate) -> None:
     learner.ask(question())
     assert gate.begun.wait(PATIENCE)
     assert learner.answers() == []
-    gate.open.set()
+    gate.open()
     bell.wait()
     assert len(learner.answers()) == 1
     learner.close()
@@ -104,7 +119,7 @@ def test_an_earlier_question_is_given_up_for_a_new_one(gate: Gate) -> None:
     assert gate.begun.wait(PATIENCE)
     learner.ask(question(revision=2))
     assert gate.cancelled.wait(PATIENCE)
-    gate.open.set()
+    gate.open()
     answers: list[Answer] = []
     while not answers:
         bell.wait()
