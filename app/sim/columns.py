@@ -114,3 +114,13 @@ def _refuse_bad_name(what: str, name: str) -> None:
         raise ScenarioError(
             f"{what} {name!r} needs another name: letters, digits and inner underscores, and no word of Python's own"
         )
+
+
+def refuse_bad_measures(measures: Mapping[str, str], columns: Iterable[Column]) -> None:
+    """Raise a `ScenarioError` if a measure is no column with a single entry."""
+    single = [column.name for column in columns if column.per is Per.WORLD]
+    for measure, column in measures.items():
+        if column not in single:
+            raise ScenarioError(
+                f"measure {measure!r} names the column {column!r}; columns with a single entry: {', '.join(single)}"
+            )

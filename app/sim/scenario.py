@@ -91,9 +91,7 @@ numbers. So they keep to numbers, ``if``, ``for`` over ``range``, ``while``, ``a
 * lists, dicts, strings, ``None``, exceptions, classes, nested functions, other modules, other randomness, clocks;
 * variables of the module that change: state is in columns, and nowhere else.
 
-Of an entity's heading take ``heading_cos(world, entity)`` and ``heading_sin``: the same numbers as `cos` and `sin` of
-``world.heading[entity]``, which engines remember until it turns. Where only the nearer of two counts, or whether something
-lies within reach, compare ``square_distance``: no root has to be drawn.
+Fast: ``heading_cos(world, entity)`` and ``heading_sin``, remembered until the entity turns, and ``square_distance``.
 
 `app.sim.portable` finds most of this by reading, `app.sim.trial` the rest of what is promised here by trying.
 '''
@@ -121,7 +119,15 @@ from ..core.vocabulary import (
     Vocabulary,
 )
 from .bodies import Bodies, refuse_bad_bodies
-from .columns import STANDARD_COLUMNS, Column, Kind, Per, refuse_bad_columns, refuse_bad_kinds
+from .columns import (
+    STANDARD_COLUMNS,
+    Column,
+    Kind,
+    Per,
+    refuse_bad_columns,
+    refuse_bad_kinds,
+    refuse_bad_measures,
+)
 from .failure import failed
 from .geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
 from .parameters import checked, default, parameter_fields, quantity
@@ -201,7 +207,7 @@ class Scenario:
             self._fields = parameter_fields(parameters)
             refuse_bad_kinds(kinds, self._fields)
             refuse_bad_columns(columns, kinds)
-            _refuse_bad_measures(self.measures, self.columns)
+            refuse_bad_measures(self.measures, self.columns)
             if bodies is not None:
                 refuse_bad_bodies(bodies, kinds, columns, self._fields)
 
@@ -394,12 +400,3 @@ def _refuse_twice(what: str, parameters: Iterable[str]) -> None:
         if parameter in seen:
             raise ScenarioError(f"{what} names the parameter {parameter!r} twice")
         seen.add(parameter)
-
-
-def _refuse_bad_measures(measures: Mapping[str, str], columns: Iterable[Column]) -> None:
-    single = [column.name for column in columns if column.per is Per.WORLD]
-    for measure, column in measures.items():
-        if column not in single:
-            raise ScenarioError(
-                f"measure {measure!r} names the column {column!r}; columns with a single entry: {', '.join(single)}"
-            )

@@ -1,6 +1,6 @@
 """Lowering: what the nodes of a forest may come to run, found from what they run now, as rows of flat tables."""
 
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,7 +15,6 @@ from ...core.automaton import (
     RaiseFlag,
     Sampling,
     State,
-    successors,
 )
 from ...core.errors import ProgramError, UnderstudyError
 from ...core.features import (
@@ -41,7 +40,8 @@ from ..scenario import Scenario
 from . import tables
 from .code import Code, Transition
 from .needs import Needs
-from .tables import TABLE_COLUMNS, AutomatonRow, Program, Sizes, StateRow
+from .reach import Reached
+from .tables import TABLE_COLUMNS, Program, Sizes, StateRow
 
 
 def lower(
@@ -80,15 +80,14 @@ class _Lowering:
         self._actors = list(actors(hierarchy).values())
         self._agent_features = statistic_vocabulary(types)
         self._type_rows = {name: k for k, name in enumerate(dict.fromkeys(a.node.type for a in self._actors))}
-        self._below = self._types_below()
+        self._reached = Reached(types, self._actors)
+        self._automata, self._basics = self._reached.automata, self._reached.basics
+        self._states = self._reached.states
         self._features = {name: k for k, name in enumerate(scenario.features)}
         self._behaviors = {name: k for k, name in enumerate(scenario.behaviors)}
         self._targets = {name: k for k, name in enumerate(scenario.targets)}
-        self._automata: dict[tuple[str, str], AutomatonRow] = {}
-        self._basics: dict[tuple[str, str], BasicBehavior] = {}
         self._automaton_rows: dict[tuple[str, str], int] = {}
         self._basic_rows: dict[tuple[str, str], int] = {}
-        self._states: list[StateRow] = [StateRow(-1, "")]
         self._flags: dict[str, int] = {}
         self._uses: dict[Hashable, int] = {}
         self._use_names: list[str] = []
@@ -100,18 +99,12 @@ class _Lowering:
         self._slots = 1
         self._flag(FINISHED)
 
-    def _types_below(self) -> Mapping[str, tuple[str, ...]]:
-        below: dict[str, dict[str, None]] = {}
-        for actor in self._actors:
-            below.setdefault(actor.node.type, {}).update(dict.fromkeys(c.node.type for c in actor.children))
-        return {kind: tuple(found) for kind, found in below.items()}
-
     # ----------------------------------------------------------------------------------- what is reached
 
     def program(self, needs: Needs) -> Program:
         for flag in sorted(needs.flags):
             self._flag(flag)
-        self._find(needs)
+        self._reached.find(needs)
         self._automaton_rows = {key: row for row, key in enumerate(self._automata)}
         self._basic_rows = {key: row for row, key in enumerate(self._basics)}
         self._rows.add(**_STATE_NOWHERE)
@@ -123,56 +116,6 @@ class _Lowering:
             self._basic(kind, basic)
         self._nodes()
         return self._assembled()
-
-    def _find(self, needs: Needs) -> None:
-        """Number all that can be reached: automata with the states that can be entered, and basic behaviors."""
-        extra: dict[tuple[str, str], set[str]] = {}
-        for kind, automaton_id, state_id in needs.states:
-            extra.setdefault((kind, automaton_id), set()).add(state_id)
-        waiting: list[tuple[str, str | BasicBehavior]] = sorted(needs.automata)
-        waiting += [
-            (kind, self._types.vocabulary(kind).behavior(name)) for kind, name in sorted(needs.basics)
-        ]
-        while waiting:
-            kind, what = waiting.pop()
-            if isinstance(what, BasicBehavior):
-                if (kind, what.name) not in self._basics:
-                    self._basics[kind, what.name] = what
-                    waiting += self._directed(kind, what)
-            elif (kind, what) not in self._automata:
-                waiting += self._number(kind, what, extra.get((kind, what), set()))
-
-    def _directed(self, kind: str, basic: BasicBehavior) -> list[tuple[str, str | BasicBehavior]]:
-        if not basic.derived:
-            return []
-        return [(below, self._started(below, basic)) for below in self._below.get(kind, ())]
-
-    def _started(self, kind: str, basic: BasicBehavior) -> str | BasicBehavior:
-        """What a node of *kind* starts when directed to do *basic*."""
-        repertoire = self._types.repertoire(kind)
-        if basic.name not in repertoire:
-            raise ProgramError(f"a subsidiary of type {kind!r} has no behavior {basic.name!r}")
-        found = repertoire[basic.name]
-        if found.parameters != basic.parameters:
-            raise ProgramError(f"{basic.name!r} of type {kind!r} has other parameters than its controller's")
-        return found if isinstance(found, BasicBehavior) else found.id
-
-    def _number(self, kind: str, automaton_id: str, extra: set[str]) -> list[tuple[str, str | BasicBehavior]]:
-        automaton = self._types.library(kind).get(automaton_id)
-        entered = _entered(automaton, extra)
-        row, states = len(self._automata), {}
-        for state in automaton.states:
-            if state.id in entered:
-                states[state.id] = len(self._states)
-                self._states.append(StateRow(row, state.id))
-        self._automata[kind, automaton_id] = AutomatonRow(kind, automaton, states)
-        held = [state.content for state in automaton.states if state.id in entered]
-        vocabulary = self._types.vocabulary(kind)
-        return [
-            (kind, vocabulary.behavior(content.behavior) if isinstance(content, Basic) else content.automaton)
-            for content in held
-            if isinstance(content, Basic | Nested)
-        ]
 
     # ------------------------------------------------------------------------------------------ states
 
@@ -337,9 +280,11 @@ class _Lowering:
             derived=int(basic.derived),
             arity=len(basic.parameters),
         )
-        below = self._below.get(kind, ()) if basic.derived else ()
+        below = self._reached.below.get(kind, ()) if basic.derived else ()
         for name in self._type_rows:
-            self._rows.add(directs=self._what(name, self._started(name, basic)) if name in below else 0)
+            self._rows.add(
+                directs=self._what(name, self._reached.started(name, basic)) if name in below else 0
+            )
 
     def _what(self, kind: str, started: str | BasicBehavior) -> int:
         """How a run says what it is: an automaton's row, or -1 - a basic behavior's."""
@@ -402,7 +347,7 @@ class _Lowering:
             nodes=len(self._actors),
             controllers=sum(not actor.is_agent for actor in self._actors),
             types=len(self._type_rows),
-            levels=self._levels(),
+            levels=self._reached.levels(),
             arguments=max([1, *map(len, parameters)]),
             key_words=tables.KEY_HEAD + max(1, *(state.trees for state in self._states)),
             slots=self._slots,
@@ -412,38 +357,9 @@ class _Lowering:
             targets=len(self._targets),
         )
 
-    def _levels(self) -> int:
-        """The longest chain of automata that hold each other, and a basic behavior at its end."""
-        known: dict[tuple[str, str], int] = {}
 
-        def levels(key: tuple[str, str]) -> int:
-            if key not in known:
-                row = self._automata[key]
-                held = (row.automaton.state(state_id).content for state_id in row.states)
-                below = [levels((key[0], c.automaton)) for c in held if isinstance(c, Nested)]
-                known[key] = 1 + max(below, default=1)
-            return known[key]
-
-        for kind in self._types.types:
-            self._types.library(kind).refuse_cycle()
-        return max([1, *map(levels, self._automata)])
-
-
-_STATE_NOWHERE = dict.fromkeys(
-    (
-        "code",
-        "sampling",
-        "labels_at",
-        "labels",
-        "trees",
-        "prunable",
-        "content",
-        "held",
-        "bound_at",
-        "bound",
-    ),
-    0,
-)
+_STATE_COLUMNS = "code sampling labels_at labels trees prunable content held bound_at bound"
+_STATE_NOWHERE = dict.fromkeys(_STATE_COLUMNS.split(), 0)
 _LEAF_COLUMNS = ("shares_at", "share", "running")
 
 
@@ -452,19 +368,6 @@ def _column(values: list[int] | list[float], letter: str) -> tables.Column:
     column: tables.Column = np.array(values or [0], dtype=np.float64 if letter == "f" else np.int64)
     column.flags.writeable = False
     return column
-
-
-def _entered(automaton: Automaton, extra: set[str]) -> set[str]:
-    """The states that can be entered from Start, and from those that nodes are in."""
-    found = {START} | {state for state in extra if automaton.has_state(state)}
-    waiting = list(found)
-    while waiting:
-        for target in successors(automaton, waiting.pop()) - found:
-            if not automaton.has_state(target):
-                raise ProgramError(f"{automaton.name!r} goes on to a state {target!r} that it does not have")
-            found.add(target)
-            waiting.append(target)
-    return found
 
 
 def _identity(key: tuple[str, str], use: FeatureUse) -> Hashable:
