@@ -123,6 +123,15 @@ def test_what_is_changed_between_ticks_counts() -> None:
     assert difference(found, wanted) == ""
 
 
+def test_agents_walk_where_they_head_even_if_something_else_has_turned_them() -> None:
+    found, wanted = KernelEngine(forage("independent")), ReferenceEngine(forage("independent"))
+    for heading in (0.0, -0.0, 1.0, -pi):
+        for engine in (found, wanted):
+            world, nodes = engine.frozen_world(), freeze(engine.machine)
+            engine.restore({**world, "heading": [heading] * len(world["heading"])}, nodes)
+        compare(found, wanted, 3)
+
+
 def test_libraries_can_be_exchanged_in_the_middle_of_a_run() -> None:
     start = forage("one level")
     found, wanted = KernelEngine(start), ReferenceEngine(start)
