@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ..editor.curves import Band, Chart, Dot, Key, Plot, Row
+from ..editor.drawing.curves import Band, Chart, Dot, Key, Plot, Row
 from ..engine.experiments.findings import Findings, Summary
 from ..engine.experiments.load import ROWS, TICKS
 from ..engine.experiments.plan import Panel

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..core.check import refuse
 from ..core.errors import ParameterError
-from ..editor.figures import FigureError, draw
+from ..editor.drawing.figures import FigureError, draw
 from ..engine.experiments.findings import Findings, findings
 from ..engine.experiments.fingerprint import fingerprint_of
 from ..engine.experiments.load import FOLDER, experiments_in, load_experiment

@@ -8,7 +8,7 @@ from typing import Any
 from ..core.check import refuse
 from ..core.errors import ParameterError, StorageError
 from ..core.project import Arm, Project, Value
-from ..editor.figures import Figure, FigureError, draw, refuse_format
+from ..editor.drawing.figures import Figure, FigureError, draw, refuse_format
 from ..engine.runs import RunResult, Treatment, treatment
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED

@@ -11,7 +11,7 @@ from app.cli.places import display, shipped_project
 from app.cli.studio import rows, story, teach
 from app.core.errors import StorageError
 from app.core.storage import load
-from app.editor.figures import Figure
+from app.editor.drawing.figures import Figure
 from app.engine.runs import Curve, RunResult
 from app.sim.scenarios.foraging import scenario as foraging
 from tests.unit.cli.foraging import ARMS, project, stored, taught

@@ -7,9 +7,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPen, QPolygonF
 
 from .brush import Brush, text_width
-from .canvas import Canvas
 from .curves import Band, Chart, Dot, Key, Plot, Row
 from .painting import apart, steps
+from .sheet import Canvas
 
 WIDTH, MARGIN, GAP, BETWEEN = 1200.0, 32.0, 40.0, 36.0
 HEADER, KEY, HEAD, LABELS = 68.0, 24.0, 30.0, 46.0

@@ -6,8 +6,8 @@ from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPointF, QRectF, QSize
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageSize, QPaintDevice, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
+from ..palette import DARK, LIGHT, Palette
 from .brush import Brush
-from .palette import DARK, LIGHT, Palette
 
 #: A unit of layout is a pixel of CSS.
 PIXELS_PER_INCH = 96

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from multiprocessing import get_context
 from pathlib import Path
 
-from ..core.errors import UnderstudyError
+from ...core.errors import UnderstudyError
 from .curves import Chart
 
 #: File endings that can be drawn.

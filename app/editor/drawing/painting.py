@@ -7,8 +7,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPen
 
 from .brush import Brush, text_width
-from .canvas import Canvas
 from .figures import Body, Figure, Series, Walker
+from .sheet import Canvas
 from .world_painting import CAPTION, paint_body, paint_cross, paint_walker, paint_world
 
 WIDTH, MARGIN, GAP = 1200.0, 32.0, 24.0

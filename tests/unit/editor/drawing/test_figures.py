@@ -6,8 +6,8 @@ from typing import Self
 
 import pytest
 
-from app.editor import figures
-from app.editor.figures import Figure, FigureError, Series, draw, refuse_format
+from app.editor.drawing import figures
+from app.editor.drawing.figures import Figure, FigureError, Series, draw, refuse_format
 from app.editor.palette import DARK, LIGHT, OKABE_ITO, Palette
 
 FIGURE = Figure("t", "s", "x", "y", (Series("a", 0, (0.0, 1.0), (0.0, 1.0)),))
