@@ -26,6 +26,7 @@ from .moments import forest_hash, take
 from .plan import automaton_of, check_plan, is_taught_one, some, still_nodes
 from .recording import Triple, on_entry, seen, triples
 from .runs import Treatment
+from .snapshots import LessonView
 
 
 class Lesson:
@@ -87,6 +88,11 @@ class Lesson:
     def acts(self) -> Sequence[Act]:
         """What can be undone, the oldest first."""
         return self._acts
+
+    def view(self) -> LessonView:
+        """What a snapshot shows of it."""
+        waiting = frozenset(act.node for act in self._acts if not act.done)
+        return LessonView(self.plan, self.testing, self.taught, len(self._acts), waiting)
 
     # ------------------------------------------------------------------------------------------- control
 

@@ -182,6 +182,7 @@ class Session:
             nodes=views(engine.shown, self._lesson.taught if self._lesson else ()),
             measures=engine.measures(),
             failure=self._failure,
+            lesson=self._lesson.view() if self._lesson else None,
         )
 
     def close(self) -> None:

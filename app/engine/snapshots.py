@@ -11,6 +11,7 @@ from ..core.machine import Machine
 from ..core.project import Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
 from ..sim.world import FrozenWorld
+from .commands import Teach
 
 
 class Mode(StrEnum):
@@ -42,6 +43,51 @@ class NodeView:
 
 
 @dataclass(frozen=True, slots=True)
+class LessonView:
+    """What is being taught or tested.
+
+    Attributes:
+        testing: What was learned is being tested.
+        taught: The nodes that do just what the user picks.
+        acts: How many can be taken back with `UndoPick`.
+        waiting: The nodes whose pick no tick has carried out yet.
+    """
+
+    plan: Teach
+    testing: bool
+    taught: frozenset[str]
+    acts: int
+    waiting: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """Time stands still, since a node that is tested is about to do what it is not sure of, see `AskMe`.
+
+    `Pick` answers what it is to do, `LetGo` that it may decide by itself.
+
+    Attributes:
+        type, automaton: What is tested.
+        state: The node's current state in it.
+        values: What it sees, by feature id.
+        outcome: The states that can come next, each once with its probability, the most probable first.
+        reason: Why it is asked, in words.
+        confidence: The probability of the most probable next state.
+        distance: How far what it sees is from the nearest example of that state, as in `AskMe`; infinite if it has none.
+    """
+
+    node: str
+    type: str
+    automaton: str
+    state: str
+    values: Mapping[str, float]
+    outcome: tuple[tuple[str, float], ...]
+    reason: str
+    confidence: float
+    distance: float
+
+
+@dataclass(frozen=True, slots=True)
 class Snapshot:
     """The session between two ticks.
 
@@ -51,6 +97,9 @@ class Snapshot:
         revision: Grows with every change of the session's copy of the project.
         speed: As in `Play`; 0 when paused.
         failure: What stopped the engine, in words; empty if nothing did.
+        lesson: What is being taught or tested, if anything is.
+        asked: What the user has been asked and has not answered yet.
+        going_to: The tick that a `GoTo` is on its way to.
     """
 
     acknowledged: int
@@ -64,6 +113,9 @@ class Snapshot:
     nodes: Mapping[str, NodeView] = field(repr=False)
     measures: Mapping[str, float]
     failure: str = ""
+    lesson: LessonView | None = None
+    asked: Asked | None = None
+    going_to: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +154,26 @@ class Interrupted:
     message: str
 
 
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """The user moved an entity.
+
+    Attributes:
+        node_or_kind: The id of the agent, or the name of the entity's kind.
+        before, after: Its places, in world units; *after* is where the scenario let it go.
+        number: Names the move for `UndoMove` and `RedoMove`.
+    """
+
+    entity: int
+    node_or_kind: str
+    before: tuple[float, float]
+    after: tuple[float, float]
+    number: int
+
+
 #: What changed the session's copy of the project, and is to change the caller's in the same way, see `edited`.
 Edit = Picked | TakenBack | Relearned
-Event = Edit | Refused | Interrupted
+Event = Edit | Refused | Interrupted | Asked | Moved
 
 
 def edited(project: Project, edit: Edit) -> Project:
