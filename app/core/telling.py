@@ -1,0 +1,263 @@
+"""One feature of an automaton in words, whatever it is made of: the world, a flag, time, or a statistic."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import floor, inf
+
+from .errors import ScenarioError
+from .features import (
+    Bindings,
+    FeatureUse,
+    FlagUp,
+    Ground,
+    Operation,
+    Over,
+    Sense,
+    Statistic,
+    TicksInState,
+    declaration,
+)
+from .phrasing import CAPTION, Who, number, said_of
+from .predicates import is_true, named, predicate, reading
+from .spans import Between, Is, Span
+from .vocabulary import DONE, FAILED, FINISHED, Feature, FeatureKind, Vocabulary
+
+#: A threshold this little below a whole number separates it from the one before.
+JUST_BELOW = 1e-6
+#: What those say of themselves who raised a flag, and who did not.
+FLAG_WORDS: Mapping[str, tuple[str, str]] = {
+    DONE: ("is done", "is not done"),
+    FAILED: ("has failed", "has not failed"),
+    FINISHED: ("has finished", "has not finished"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Speech:
+    """How tests are put.
+
+    Attributes:
+        clause: In clauses with a subject, "it sees a box", rather than captions, "sees a box".
+        group: The name of the controller whose agents are summed up: "Group 3".
+        held: What the current state holds, whose flags are tested: "Goto".
+    """
+
+    clause: bool = False
+    group: str = ""
+    held: str = ""
+
+
+CAPTIONS = Speech()
+
+
+def declared(use: FeatureUse, vocabulary: Vocabulary) -> Feature:
+    """How a feature is declared; of one that the scenario lacks, no more than its name."""
+    try:
+        return declaration(use.source, vocabulary)
+    except ScenarioError:
+        return Feature(use.shown, FeatureKind.CONTINUOUS)
+
+
+class Telling:
+    """Tells of one feature."""
+
+    def __init__(self, use: FeatureUse, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> None:
+        self._use = use
+        self._vocabulary = vocabulary
+        self._feature = declared(use, vocabulary)
+        self._speech = speech
+        self._it = Who("it") if speech.clause else CAPTION
+
+    def test(self, span: Span) -> str:
+        """What the feature is to be."""
+        words = ""
+        match self._use.source:
+            case FlagUp(flag):
+                return self._flag(flag, up=is_true(span))
+            case TicksInState() if isinstance(span, Between):
+                return self._lasting(_ticks(span.low, span.high))
+            case Sense(_, bindings):
+                words = said_of(self._it, self._detailed(predicate(self._feature, _slots(bindings), span)))
+            case Statistic() as statistic:
+                words = self._statistic(statistic, span)
+        return words or named(self._use.shown, self._feature, span, clause=self._speech.clause)
+
+    def value(self, value: float) -> str:
+        """What the feature is now."""
+        if self._feature.kind in (FeatureKind.BOOLEAN, FeatureKind.CATEGORICAL):
+            return self.test(Is(value))
+        words = ""
+        match self._use.source:
+            case TicksInState():
+                return self._lasting(_count(value, "tick"))
+            case Sense(_, bindings):
+                words = said_of(self._it, reading(self._feature, _slots(bindings), value))
+            case Statistic(operation) as statistic:
+                words = self._amount(operation, statistic, value)
+        return words or named(self._use.shown, self._feature, Is(value), clause=self._speech.clause)
+
+    def _detailed(self, phrase: str) -> str:
+        """An explanation says more than a caption."""
+        detail = self._feature.phrases.detail
+        return f"{phrase} {detail}" if phrase and detail and self._speech.clause else phrase
+
+    def _flag(self, flag: str, *, up: bool) -> str:
+        if not self._speech.clause:
+            return flag if up else f"not {flag}"
+        return f"{self._speech.held or 'it'} {_flag_words(flag)[0 if up else 1]}"
+
+    def _lasting(self, ticks: str) -> str:
+        if self._speech.clause:
+            return f"it has been in this state for {ticks}"
+        return f"{ticks} in this state"
+
+    # ---------------------------------------------------------------------------------------- statistics
+
+    def _statistic(self, statistic: Statistic, span: Span) -> str:
+        """Who of those below is to be what; empty if there are no words for it."""
+        crowd = _Crowd(statistic.over, self._speech.group)
+        match statistic.operation, span:
+            case ((Operation.ANY | Operation.ALL), _) if says := self._says(statistic, Is(1.0)):
+                return said_of(crowd.some_or_all(statistic.operation, wanted=is_true(span)), says)
+            case Operation.COUNT, Between(low, high) if says := self._says(statistic, Is(1.0)):
+                return said_of(crowd.so_many(low, high), says)
+            case ((Operation.MIN | Operation.MAX), Between(low, high)):
+                return self._extreme(statistic, crowd, low, high)
+            case Operation.MEAN, Between():
+                return self._mean(statistic, crowd, span)
+        return ""
+
+    def _says(self, statistic: Statistic, span: Span) -> str:
+        """What each of those below is to be."""
+        match statistic.of:
+            case FlagUp(flag):
+                return _flag_words(flag)[0 if is_true(span) else 1]
+            case Sense(name, bindings):
+                inner = self._vocabulary.features.get(name)
+                return "" if inner is None else predicate(inner, _slots(bindings), span)
+
+    def _extreme(self, statistic: Statistic, crowd: "_Crowd", low: float, high: float) -> str:
+        """The least is at most so much where someone is; it is above where everyone is. The greatest, the other way."""
+        least = statistic.operation is Operation.MIN
+        above = self._says(statistic, Between(low=low)) if low > -inf else ""
+        within = self._says(statistic, Between(high=high)) if high < inf else ""
+        told = [
+            said_of(crowd.some_or_all(Operation.ALL if least else Operation.ANY, wanted=True), above)
+            if above
+            else "",
+            said_of(crowd.some_or_all(Operation.ANY if least else Operation.ALL, wanted=True), within)
+            if within
+            else "",
+        ]
+        return " and ".join(filter(None, told))
+
+    def _mean(self, statistic: Statistic, crowd: "_Crowd", span: Between) -> str:
+        """A share of those below, or what they are on average."""
+        inner = self._inner(statistic)
+        if inner is None or inner.kind is FeatureKind.BOOLEAN:
+            says = self._says(statistic, Is(1.0))
+            return said_of(crowd.share(span.low, span.high), says) if says else ""
+        says = self._says(statistic, span) if inner.kind is FeatureKind.CONTINUOUS else ""
+        return said_of(crowd.average(), says) if says else ""
+
+    def _inner(self, statistic: Statistic) -> Feature | None:
+        of = statistic.of
+        return self._vocabulary.features.get(of.feature) if isinstance(of, Sense) else None
+
+    def _amount(self, operation: Operation, statistic: Statistic, value: float) -> str:
+        """What a statistic that is a number is now; empty if there are no words for it."""
+        crowd = _Crowd(statistic.over, self._speech.group)
+        inner = self._inner(statistic)
+        if operation is Operation.COUNT and (says := self._says(statistic, Is(1.0))):
+            return said_of(crowd.just(value), says)
+        if operation is Operation.MEAN and inner is not None and inner.kind is FeatureKind.CONTINUOUS:
+            bindings = statistic.of.bindings if isinstance(statistic.of, Sense) else {}
+            says = reading(inner, _slots(bindings), value)
+            return said_of(crowd.average(), says) if says else ""
+        return ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Crowd:
+    """Those whom a statistic sums up."""
+
+    over: Over
+    group: str
+
+    def some_or_all(self, operation: Operation, *, wanted: bool) -> Who:
+        direct = self.over is Over.SUBSIDIARIES
+        if operation is Operation.ANY:
+            words = (
+                ("a subsidiary" if direct else "someone")
+                if wanted
+                else ("no subsidiary" if direct else "nobody")
+            )
+        else:
+            words = ("" if wanted else "not ") + ("every subsidiary" if direct else "everyone")
+        return self._placed(words)
+
+    def so_many(self, low: float, high: float) -> Who:
+        """Above *low* and up to *high* of them."""
+        least, most = 0 if low == -inf else floor(low) + 1, inf if high == inf else floor(high)
+        if most <= 0:
+            return self.some_or_all(Operation.ANY, wanted=False)
+        if most == inf:
+            return (
+                self.some_or_all(Operation.ANY, wanted=True)
+                if least <= 1
+                else self._many(f"{least} or more", least)
+            )
+        if least <= 0:
+            return self._many(f"at most {most}", int(most))
+        return self.just(least) if least == most else self._many(f"{least} to {most}", int(most))
+
+    def just(self, count: float) -> Who:
+        if count == 0.0:
+            return self.some_or_all(Operation.ANY, wanted=False)
+        return self._many(number(count), int(count))
+
+    def _many(self, words: str, count: int) -> Who:
+        what = "subsidiary" if self.over is Over.SUBSIDIARIES else "agent"
+        plural = {"subsidiary": "subsidiaries", "agent": "agents"}[what]
+        return self._placed(f"{words} {what if count == 1 else plural}", many=count != 1)
+
+    def share(self, low: float, high: float) -> Who:
+        """A share of them, from 0 to 1."""
+        whom = "the subsidiaries" if self.over is Over.SUBSIDIARIES else "the agents"
+        words = [f"more than {number(100 * low)}%"] if low > -inf else []
+        words += [f"at most {number(100 * high)}%"] if high < inf else []
+        return self._placed(f"{' and '.join(words)} of {whom}", many=True)
+
+    def average(self) -> Who:
+        return self._placed("the agents on average", many=True)
+
+    def _placed(self, words: str, *, many: bool = False) -> Who:
+        if not self.group:
+            return Who(words, many)
+        return Who(f"{words} {'of' if self.over is Over.SUBSIDIARIES else 'in'} {self.group}", many)
+
+
+def _flag_words(flag: str) -> tuple[str, str]:
+    return FLAG_WORDS.get(flag, (f"has raised {flag}", f"has not raised {flag}"))
+
+
+def _slots(bindings: Bindings) -> Mapping[str, str]:
+    return {slot: b.target if isinstance(b, Ground) else b.name for slot, b in bindings.items()}
+
+
+def _ticks(low: float, high: float) -> str:
+    """Above *low* and up to *high* ticks."""
+    words = [_bound(low, "at least", "more than")] if low > -inf else []
+    words += [_bound(high, "fewer than", "at most")] if high < inf else []
+    return " and ".join(words)
+
+
+def _bound(threshold: float, at_next: str, at_this: str) -> str:
+    whole = floor(threshold)
+    if 0.0 < whole + 1 - threshold < JUST_BELOW:
+        return f"{at_next} {_count(whole + 1, 'tick')}"
+    return f"{at_this} {_count(whole, 'tick')}"
+
+
+def _count(count: float, what: str) -> str:
+    return f"{number(count)} {what}{'' if count == 1.0 else 's'}"

@@ -1,0 +1,126 @@
+"""Tests, values, states and examples in the words that the user reads: "sees a box", "between 5 and 12 from deposit".
+
+Wherever a *vocabulary* is asked for, it is the scenario's, which has the features of agents and of groups.
+"""
+
+from .automaton import Automaton, Content
+from .conditions import Condition, Guard
+from .examples import Example
+from .features import FeatureUse, Sense
+from .library import Library
+from .naming import shown_content, shown_state
+from .phrasing import for_people, number, unit_of
+from .predicates import category
+from .spans import spans
+from .telling import CAPTIONS, Speech, Telling, declared
+from .transition import Classifier
+from .tree import Tree
+from .vocabulary import FeatureKind, Vocabulary
+
+__all__ = [
+    "CAPTIONS",
+    "Speech",
+    "condition_words",
+    "content_words",
+    "example_words",
+    "guard_words",
+    "reading_words",
+    "state_words",
+    "value_words",
+]
+
+#: So many features of an example are told where it is not known which of them matter.
+MOST_TOLD = 3
+
+
+def condition_words(
+    condition: Condition, automaton: Automaton, vocabulary: Vocabulary, speech: Speech = CAPTIONS
+) -> str:
+    """One test as it is to come out: "sees a box", "farther than 12.3 from nearest visible box", "not done"."""
+    return guard_words((condition,), automaton, vocabulary, speech)
+
+
+def guard_words(guard: Guard, automaton: Automaton, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> str:
+    """A conjunction of tests, those of one feature taken together; "always" if there are none."""
+
+    def period(feature_id: str) -> float:
+        return declared(feature_of(automaton, feature_id), vocabulary).period
+
+    said = [
+        Telling(feature_of(automaton, feature_id), vocabulary, speech).test(span)
+        for feature_id, span in spans(guard, period)
+    ]
+    return " and ".join(dict.fromkeys(said)) or "always"
+
+
+def value_words(use: FeatureUse, value: float, vocabulary: Vocabulary) -> str:
+    """A value by itself, for tables: "12.3 units", "yes", "-10°", "grass"."""
+    feature = declared(use, vocabulary)
+    if feature.kind is FeatureKind.BOOLEAN:
+        return "yes" if value else "no"
+    if feature.kind is FeatureKind.CATEGORICAL:
+        return category(feature, value)
+    told, unit = number(for_people(feature, value)), unit_of(feature)
+    return told + ("°" if unit == "degrees" else f" {unit}" if unit else "")
+
+
+def reading_words(use: FeatureUse, value: float, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> str:
+    """What a feature says now: "sees no box", "4.2 units from deposit", "there is no nearest visible box"."""
+    return Telling(use, vocabulary, speech).value(value)
+
+
+def feature_of(automaton: Automaton, feature_id: str) -> FeatureUse:
+    """A feature by id; of one that is gone, only its id can be told."""
+    known = (use for use in automaton.features if use.id == feature_id)
+    return next(known, FeatureUse(feature_id, Sense(feature_id), feature_id))
+
+
+# ------------------------------------------------------------------------------------- states and examples
+
+
+def content_words(content: Content, library: Library) -> str:
+    """What a state does: "Goto(deposit)", "Forward", "done"."""
+    return shown_content(content, library)
+
+
+def state_words(automaton: Automaton, state_id: str, library: Library) -> str:
+    """What the user calls a state."""
+    return shown_state(automaton, state_id, library)
+
+
+def example_words(
+    example: Example,
+    automaton: Automaton,
+    library: Library,
+    vocabulary: Vocabulary,
+    classifier: Classifier | None = None,
+) -> str:
+    """What an example says: "Wander → ReturnWithBox when it sees a box", "stays in Wander when it sees no box".
+
+    The features told are those that are tested on the example's way to its leaf.
+
+    Args:
+        classifier: The model of its state, if not the one that the automaton has.
+    """
+    source, label = (shown_state(automaton, state, library) for state in (example.source, example.label))
+    speech = Speech(clause=True, held=source)
+    told = [
+        reading_words(use, example.values[use.id], vocabulary, speech)
+        for use in _mattering(example, automaton, classifier)
+    ]
+    went = f"stays in {label}" if example.source == example.label else f"{source} → {label}"
+    return went + (f" when {' and '.join(told)}" if told else "")
+
+
+def _mattering(
+    example: Example, automaton: Automaton, classifier: Classifier | None
+) -> tuple[FeatureUse, ...]:
+    """The features that are tested on an example's way to its leaf; the first ones, if there is no tree to tell."""
+    model = classifier if classifier is not None else automaton.learned.get(example.source)
+    if not isinstance(model, Tree):
+        return tuple([use for use in automaton.features if use.id in example.values][:MOST_TOLD])
+    try:
+        tested = [condition.test.feature for condition in model.explain(example.values.__getitem__)]
+    except KeyError:  # a feature that was added later
+        tested = list(model.features())
+    return tuple(feature_of(automaton, i) for i in dict.fromkeys(tested) if i in example.values)
