@@ -188,6 +188,16 @@ class GoTo:
     tick: int
 
 
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """Show in every snapshot what these nodes are about to decide, instead of those of before.
+
+    Nodes that do not exist are left out, until they do in another arm.
+    """
+
+    nodes: tuple[str, ...] = ()
+
+
 Command = (
     UseProject
     | UseArm
@@ -207,4 +217,5 @@ Command = (
     | AskMe
     | LetGo
     | GoTo
+    | Watch
 )

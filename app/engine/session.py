@@ -14,8 +14,8 @@ from ..core.errors import SessionError, UnderstudyError
 from ..core.machine_state import rebase
 from ..core.project import Project, Value
 from ..sim.engine import Control, Engine
+from ..sim.engines import COMPILED, REFERENCE
 from ..sim.scenario import Scenario
-from ..sim.world import FrozenWorld
 from .acts import Act
 from .carrying_over import EditLog, arm_now, losses
 from .commands import (
@@ -33,11 +33,13 @@ from .commands import (
     UndoPick,
     UseArm,
     UseProject,
+    Watch,
 )
 from .directing import direct_roots
 from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
 from .models import Models
+from .place import place_of
 from .runs import Treatment, start_engine, treatment
 from .snapshots import (
     Edit,
@@ -49,9 +51,11 @@ from .snapshots import (
     Relearned,
     Snapshot,
     TakenBack,
+    Watched,
     edited,
     views,
 )
+from .watching import watched
 
 #: Nobody is taught, and nobody has to be told who leaves a state.
 UNOBSERVED = Control(listen=False)
@@ -103,7 +107,9 @@ class Session:
         self._seed = seed
         self._treatment = self._treat(arm, self._settings)
         self._engine: Engine = start_engine(self._treatment, seed, self._leaving)
-        self._world: FrozenWorld = self._engine.frozen_world()
+        self._columns = self._engine.columns()
+        self._place = place_of(self._engine, arm)
+        self._watch: tuple[str, ...] = ()
 
     # ------------------------------------------------------------------------------------- in and out
 
@@ -166,7 +172,7 @@ class Session:
         """The session as it is now; of a world that cannot be shown, the last that could."""
         engine = self._engine
         try:
-            self._world = engine.frozen_world()
+            self._columns = engine.columns()
         except UnderstudyError as error:
             if not self._failure:
                 self.fail(str(error))
@@ -178,12 +184,21 @@ class Session:
             speed=self.speed if self.due == 0 else 1.0,
             seed=self._seed,
             arm=self._treatment.arm.name,
-            world=self._world,
-            nodes=views(engine.shown, self._lesson.taught if self._lesson else ()),
+            columns=self._columns,
+            place=self._place,
+            doing=engine.doing(),
             measures=engine.measures(),
+            taught=self._lesson.taught if self._lesson else frozenset(),
+            watched=self._watched(),
+            engine=COMPILED if engine.compiled else REFERENCE,
+            notice=engine.obstacle,
             failure=self._failure,
             lesson=self._lesson.view() if self._lesson else None,
         )
+
+    def _watched(self) -> Mapping[str, Watched]:
+        there = [node_id for node_id in self._watch if node_id in self._place.rows]
+        return watched(self._engine, there) if there else {}
 
     def close(self) -> None:
         """End what runs beside the session."""
@@ -297,13 +312,17 @@ class Session:
     def _(self, command: MoveEntity) -> None:
         self._engine.move(command.entity, command.x, command.y)
 
+    @_obey.register
+    def _(self, command: Watch) -> None:
+        self._watch = tuple(dict.fromkeys(command.nodes))
+
     def _refuse_failed(self) -> None:
         if self._failure:
             raise SessionError(f"the world stands still: {self._failure}. Reset it to go on")
 
     def _begin(self, engine: Engine, of: Treatment, lesson: Lesson | None) -> None:
         """Go on in another world, in which nothing can fail any more."""
-        self._world = engine.frozen_world()
+        self._columns, self._place = engine.columns(), place_of(engine, of.arm.name)
         self._engine, self._treatment, self._lesson, self._failure = engine, of, lesson, ""
         self.due = 0
 

@@ -76,6 +76,9 @@ that flag. A target that means nobody gives features their default and makes beh
 ``physics=rigid`` as well: then bodies with mass are moved instead, by ``drive`` and ``turn``, contact, walls, joints
 between agents and what they hold, and friction; the other stages stay the same.
 
+**Drawing.** A scenario with a `Look` says how large its world is, how large its entities are, what circles show how far
+they reach, and who holds what; without one, its entities are drawn where they are.
+
 **Values.** A boolean feature is 0.0 or 1.0, a categorical one the place of its category, a toroidal one lies in
 [-period/2, period/2). NaN and infinity are errors.
 
@@ -120,6 +123,7 @@ from .bodies import Bodies, refuse_bad_bodies
 from .columns import STANDARD_COLUMNS, Column, Kind, Per, refuse_bad_columns, refuse_bad_kinds
 from .failure import failed
 from .geometry import clamped, distance, wrapped
+from .look import Look, refuse_bad_look
 from .parameters import checked, default, parameter_fields, quantity
 from .ranges import refuse_bad_feature
 
@@ -133,6 +137,7 @@ __all__ = [
     "Column",
     "FeatureKind",
     "Kind",
+    "Look",
     "Per",
     "Phrases",
     "Scenario",
@@ -161,9 +166,10 @@ class Scenario:
         measures: Name -> the column with a single entry that holds it.
         checks: Rules across parameters.
         bodies: What rigid physics has to know; without it there is kinematic physics only.
+        look: How its worlds are drawn; without it, what is there is drawn where it is.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913, PLR0917 - a scenario is declared in one piece, by keywords
         self,
         name: str,
         title: str,
@@ -173,6 +179,7 @@ class Scenario:
         measures: Mapping[str, str] | None = None,
         doc: str = "",
         bodies: Bodies | None = None,
+        look: Look | None = None,
     ) -> None:
         self.name = name
         self.title = title
@@ -180,6 +187,7 @@ class Scenario:
         self.parameters = parameters
         self.kinds = kinds
         self.bodies = bodies
+        self.look = look
         self.columns = (*STANDARD_COLUMNS, *columns)
         self.measures = dict(measures or {})
         self.features: dict[str, Callable[..., float]] = {}
@@ -197,6 +205,8 @@ class Scenario:
             _refuse_bad_measures(self.measures, self.columns)
             if bodies is not None:
                 refuse_bad_bodies(bodies, kinds, columns, self._fields)
+            if look is not None:
+                refuse_bad_look(look, kinds, columns, self._fields)
 
     @property
     def vocabulary(self) -> Vocabulary:

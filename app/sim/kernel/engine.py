@@ -3,7 +3,7 @@
 There is one truth at a time, in columns or in plain Python; it is carried over when the other side is needed.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +12,16 @@ import numpy as np
 from ...core.errors import ProgramError
 from ...core.library import Types
 from ...core.machine import Classifiers, Leaving, Machine, Senses, stored_classifiers
-from ..engine import FREE, Control, Start
+from ..doing import Doing
+from ..engine import FREE, Columns, Control, Start
 from ..program import Needs, Program, lower, needs_of
 from ..reference import ReferenceEngine
+from ..sensing import WorldSenses
 from ..world import TICK, FrozenWorld
 from .build import Notice
 from .flat import FlatWorld
-from .state import put_back, runs_of
+from .state import put_back, put_back_some, runs_of
+from .viewing import Viewer
 
 #: The most ticks of nodes that pass in one call, about a tenth of a second: then Python hears an interrupt.
 SLICE = 1_000_000
@@ -141,6 +144,11 @@ class KernelEngine:
         return int(self._flat.world["clock"][TICK]) if self._in_columns else self._reference.tick
 
     @property
+    def compiled(self) -> bool:
+        """Whether free ticks are compiled."""
+        return not self.obstacle
+
+    @property
     def machine(self) -> Machine:
         """What all nodes do now; ask again after ticks have passed."""
         self._to_python()
@@ -159,8 +167,34 @@ class KernelEngine:
             return self._reference.frozen_world()
         return {name: tuple(self._flat.numbers(name)) for name in self._flat.world}
 
+    def columns(self) -> Columns:
+        """The same as arrays, much faster."""
+        if not self._in_columns or not self._is_finite():
+            self._copy()
+            return self._reference.columns()
+        return self._flat.arrays()
+
     def _is_finite(self) -> bool:
-        return all(bool(np.isfinite(column).all()) for column in self._flat.world.values())
+        columns = self._flat.world.values()
+        return all(bool(np.isfinite(column).all()) for column in columns if column.dtype == np.float64)
+
+    def doing(self) -> Doing:
+        """What all nodes do now, as arrays."""
+        if not self._in_columns:
+            return self._reference.doing()
+        assert self._lowered is not None
+        return self._lowered.viewer.doing(self._flat.runs)
+
+    def watch(self, nodes: Iterable[str]) -> tuple[Machine, Senses]:
+        """What these nodes and all below them do and can sense now, only to be looked at until time passes."""
+        machine = self._reference.machine
+        if self._copied:
+            return machine, self._reference.senses
+        assert self._lowered is not None
+        looked_at = (below.id for node_id in nodes for below in machine.actors[node_id].node.walk())
+        rows = {node_id: self._lowered.viewer.row(node_id) for node_id in looked_at}
+        put_back_some(self._flat.runs, self._lowered.program, machine, self.tick, rows)
+        return machine, WorldSenses(self.start.scenario, self._flat.plain())
 
     def measures(self) -> Mapping[str, float]:
         """The scenario's measures now."""
@@ -205,6 +239,7 @@ class _Lowered:
         self._classifiers = machine.classifiers
         self._needs = needs
         self.program = lower(start.hierarchy, machine.types, start.scenario, machine.classifiers, needs)
+        self.viewer = Viewer(self.program)
 
     def serves(self, machine: Machine, needs: Needs) -> bool:
         """Whether nothing has changed that would need another program."""

@@ -110,6 +110,18 @@ class FlatWorld:
         for name in self.world:
             getattr(world, name)[:] = self.numbers(name)
 
+    def plain(self) -> World:
+        """The world as plain Python reads it, without a copy: what is asked for is what the columns say at that moment."""
+        views = {name: column.data[: self._lengths[name]] for name, column in self.world.items()}
+        return self.shape._replace(**views)
+
+    def arrays(self) -> dict[str, Column]:
+        """Copies of all columns, read-only."""
+        copies = {name: column[: self._lengths[name]].copy() for name, column in self.world.items()}
+        for column in copies.values():
+            column.flags.writeable = False
+        return copies
+
     def numbers(self, name: str) -> list[float] | list[int]:
         """A column of the world as plain numbers."""
         numbers: list[float] | list[int] = self.world[name][: self._lengths[name]].tolist()
