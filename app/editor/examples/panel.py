@@ -1,0 +1,18 @@
+"""The examples of the automaton that is shown."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+
+class ExamplesPanel(QWidget):
+    """The examples of the automaton that is shown."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio

@@ -1,0 +1,18 @@
+"""The behaviors, by type and kind."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QWidget
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+
+class LibraryPanel(QWidget):
+    """The behaviors, by type and kind."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio

@@ -1,0 +1,164 @@
+"""How the window looks: Fusion with our palette on every platform, light or dark, and a few lines of style."""
+
+from enum import StrEnum
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtWidgets import QApplication
+
+from .palette import DARK, LIGHT, Palette
+
+#: Pixels of text and of captions.
+TEXT, CAPTION = 13, 11
+
+
+class ThemeMode(StrEnum):
+    """What the user asked for."""
+
+    SYSTEM = "system"
+    LIGHT = "light"
+    DARK = "dark"
+
+
+class Theme(QObject):
+    """The palette that is in force.
+
+    Attributes:
+        mode: What the user asked for.
+
+    Signals:
+        changed: Whoever paints by hand has to paint again.
+    """
+
+    changed = Signal()
+
+    def __init__(self, application: QApplication, mode: ThemeMode = ThemeMode.SYSTEM) -> None:
+        super().__init__()
+        self._application = application
+        self.mode = mode
+        application.setStyle("Fusion")
+        application.setFont(text_font())
+        application.styleHints().colorSchemeChanged.connect(self._system_changed)
+        self._apply()
+
+    @property
+    def is_dark(self) -> bool:
+        """Whether the palette is the dark one."""
+        if self.mode is ThemeMode.SYSTEM:
+            return self._application.styleHints().colorScheme() is Qt.ColorScheme.Dark
+        return self.mode is ThemeMode.DARK
+
+    @property
+    def palette(self) -> Palette:
+        """The colors in force."""
+        return DARK if self.is_dark else LIGHT
+
+    def color(self, name: str) -> QColor:
+        """A color of the palette by the name of its field."""
+        return QColor(getattr(self.palette, name))
+
+    def use(self, mode: ThemeMode) -> None:
+        """Look like this from now on."""
+        if mode is not self.mode:
+            self.mode = mode
+            self._apply()
+
+    def _system_changed(self) -> None:
+        if self.mode is ThemeMode.SYSTEM:
+            self._apply()
+
+    def _apply(self) -> None:
+        palette = self.palette
+        self._application.setPalette(qt_palette(palette))
+        self._application.setStyleSheet(style_sheet(palette))
+        self.changed.emit()
+
+
+def text_font(pixels: int = TEXT, *, bold: bool = False) -> QFont:
+    """The font of the window."""
+    font = QFont("sans-serif")
+    font.setPixelSize(pixels)
+    font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    return font
+
+
+def qt_palette(colors: Palette) -> QPalette:
+    """Our colors in Qt's roles."""
+    palette = QPalette()
+    role = QPalette.ColorRole
+    for which, color in {
+        role.Window: colors.panel,
+        role.WindowText: colors.text,
+        role.Base: colors.raised,
+        role.AlternateBase: colors.panel,
+        role.Text: colors.text,
+        role.PlaceholderText: colors.dim,
+        role.Button: colors.raised,
+        role.ButtonText: colors.text,
+        role.BrightText: colors.teach,
+        role.ToolTipBase: colors.raised,
+        role.ToolTipText: colors.text,
+        role.Highlight: colors.accent,
+        role.Accent: colors.accent,
+        role.HighlightedText: "#ffffff" if colors is LIGHT else "#10131a",
+        role.Link: colors.accent,
+        role.Mid: colors.hairline,
+        role.Midlight: colors.hairline,
+        role.Dark: colors.hairline,
+        role.Light: colors.raised,
+        role.Shadow: colors.background,
+    }.items():
+        palette.setColor(which, QColor(color))
+    for which in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, which, mixed(colors.dim, colors.panel, 0.35))
+    return palette
+
+
+def mixed(color: str, ground: str, share: float) -> QColor:
+    """*color* with *share* of *ground* mixed in."""
+    a, b = QColor(color), QColor(ground)
+    return QColor.fromRgbF(
+        a.redF() * (1 - share) + b.redF() * share,
+        a.greenF() * (1 - share) + b.greenF() * share,
+        a.blueF() * (1 - share) + b.blueF() * share,
+    )
+
+
+def style_sheet(colors: Palette) -> str:
+    """What a palette cannot say: hairlines instead of frames, rounded controls, flat tool bars."""
+    hover = mixed(colors.accent, colors.raised, 0.86).name()
+    chosen = mixed(colors.accent, colors.panel, 0.78).name()
+    return f"""
+QMainWindow, QMenuBar, QStatusBar {{ background: {colors.background}; }}
+QMainWindow::separator {{ background: {colors.hairline}; width: 1px; height: 1px; margin: 0 1px; }}
+QStatusBar::item {{ border: none; }}
+QToolBar {{ background: {colors.background}; border: none; border-bottom: 1px solid {colors.hairline};
+    padding: 6px 8px; spacing: 6px; }}
+QToolBar::separator {{ background: {colors.hairline}; width: 1px; margin: 5px 6px; }}
+QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid {colors.hairline}; padding: 4px; }}
+QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
+    border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}
+QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {hover}; }}
+QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus {{
+    border-color: {colors.accent}; }}
+QPushButton:checked, QToolButton:checked {{ background: {chosen}; border-color: {colors.accent}; }}
+QPushButton:disabled, QToolButton:disabled {{ background: {colors.panel}; }}
+QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
+QToolButton[flat="true"]:hover {{ background: {hover}; }}
+QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ border: none;
+    background: {colors.panel}; }}
+QTreeView::item, QListView::item {{ padding: 3px 2px; }}
+QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {{ background: {chosen};
+    color: {colors.text}; }}
+QHeaderView::section {{ background: {colors.panel}; color: {colors.dim}; border: none;
+    border-bottom: 1px solid {colors.hairline}; padding: 4px 6px; }}
+QTabBar::tab {{ background: transparent; color: {colors.dim}; padding: 6px 10px; border: none;
+    border-bottom: 2px solid transparent; }}
+QTabBar::tab:selected {{ color: {colors.text}; border-bottom: 2px solid {colors.accent}; }}
+QTabBar::tab:hover {{ color: {colors.text}; }}
+QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
+QLabel[role="caption"] {{ color: {colors.dim}; font-size: {CAPTION}px; }}
+QLabel[role="empty"] {{ color: {colors.dim}; }}
+QLabel[role="title"] {{ font-weight: 600; }}
+QFrame[role="hairline"] {{ background: {colors.hairline}; border: none; }}
+""".strip()

@@ -1,0 +1,206 @@
+"""The main window: the canvas in the middle, docks around it, menus and bars from the table of actions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
+
+from ..actions import MENUS, ActionRow, when_open
+from ..canvas.view import WorldCanvas
+from ..documents.files import Files
+from ..documents.welcome import WelcomePage
+from .docks import DOCKS, Dock, place_docks
+from .messages import MessageBar
+from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
+from .status_bar import StatusBar
+from .toolbar import Toolbar
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+SIZE = QSize(1440, 900)
+MESSAGE_WIDTH = 620
+
+
+class MainWindow(QMainWindow):
+    """The window.
+
+    Attributes:
+        canvas: The live picture of the world.
+        docks: The docks by the ids of their panels.
+        files: Opens and saves projects.
+        messages: Tells the user what happened.
+
+    Signals:
+        closed: The user is done.
+    """
+
+    closed = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self.studio = studio
+        self.setObjectName("studio")
+        self.setDockOptions(
+            QMainWindow.DockOption.AllowNestedDocks
+            | QMainWindow.DockOption.AllowTabbedDocks
+            | QMainWindow.DockOption.AnimatedDocks
+        )
+        self.setCorner(Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        self.speed = Speed()
+        self.files = Files(studio, self)
+        self._may_close = False
+        studio.actions.add(
+            (*self.files.rows(), *edit_rows(), *view_rows(), *teach_rows(), *time_rows(self.speed))
+        )
+        self.canvas = WorldCanvas(studio)
+        self.welcome = WelcomePage(studio)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.welcome)
+        self._pages.addWidget(self.canvas)
+        self.setCentralWidget(self._pages)
+        self.resize(SIZE)
+        self.docks = place_docks(self, studio)
+        studio.actions.add(self._dock_rows())
+        self.toolbar = Toolbar(studio, self.speed)
+        self.addToolBar(self.toolbar)
+        self.setStatusBar(StatusBar(studio))
+        self.messages = MessageBar(studio, self._pages)
+        self._pages.installEventFilter(self)
+        self._build_menus()
+        self._standard = self.saveState()
+        studio.opened.connect(self._opened)
+        studio.document.history_changed.connect(self._titled)
+        studio.show_panel.connect(self.show_panel)
+        self._restore()
+        self._opened()
+
+    # ----------------------------------------------------------------------------------------- docks, menus
+
+    def show_panel(self, panel: str) -> None:
+        """Bring a panel to the front."""
+        dock = self.docks[panel]
+        dock.show()
+        dock.raise_()
+        dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def standard_layout(self) -> None:
+        """Put all docks back where they stood at first."""
+        self.restoreState(self._standard)
+        for dock in self.docks.values():
+            dock.show()
+
+    def _dock_rows(self) -> tuple[ActionRow, ...]:
+        return (
+            *(self._dock_row(self.docks[row.id]) for row in DOCKS),
+            ActionRow(
+                "view.standard",
+                "Standard layout",
+                "View",
+                lambda _: self.standard_layout(),
+                "panels",
+                tip="Put all panels back where they stood at first",
+                enabled=when_open,
+            ),
+        )
+
+    def _dock_row(self, dock: Dock) -> ActionRow:
+        row = dock.row
+
+        def toggle(_studio: Studio) -> None:
+            if dock.isVisible() and not dock.visibleRegion().isEmpty():
+                dock.hide()
+            else:
+                self.show_panel(row.id)
+
+        return ActionRow(
+            f"view.{row.id}",
+            row.title,
+            "View",
+            toggle,
+            "panels",
+            row.keys,
+            f"Show or hide the panel {row.title}",
+            enabled=when_open,
+            checked=lambda _: not dock.isHidden(),
+        )
+
+    def _build_menus(self) -> None:
+        menus: dict[str, QMenu] = {}
+        groups: dict[str, str] = {}
+        bar = self.menuBar()
+        bar.setNativeMenuBar(False)
+        for name in MENUS:
+            rows = [row for row in self.studio.actions.rows.values() if row.menu == name]
+            if rows:
+                menus[name] = bar.addMenu(name)
+                menus[name].setToolTipsVisible(True)
+            for row in sorted(rows, key=lambda row: [r.group for r in rows].index(row.group)):
+                if groups.setdefault(name, row.group) != row.group:
+                    menus[name].addSeparator()
+                    groups[name] = row.group
+                menus[name].addAction(self.studio.actions[row.id])
+        for action_id in self.studio.actions.rows:
+            self.addAction(self.studio.actions[action_id])  # shortcuts of actions in no menu work as well
+
+    # ------------------------------------------------------------------------------------------ the project
+
+    def _opened(self) -> None:
+        is_open = self.studio.is_open
+        self._pages.setCurrentWidget(self.canvas if is_open else self.welcome)
+        self.toolbar.setVisible(is_open)
+        self.statusBar().setVisible(is_open)
+        if is_open:
+            self._restore()
+        else:
+            for dock in self.docks.values():
+                dock.hide()
+        self._titled()
+
+    def _titled(self) -> None:
+        document = self.studio.document
+        name = document.project.name
+        self.setWindowTitle(f"{name}[*] – Understudy" if name else "Understudy")
+        self.setWindowModified(self.studio.is_open and not document.is_saved)
+
+    # ------------------------------------------------------------------------------------------- the window
+
+    def _restore(self) -> None:
+        settings = self.studio.settings
+        if not settings.bytes_of("geometry").isEmpty():
+            self.restoreGeometry(settings.bytes_of("geometry"))
+        state = settings.bytes_of("state")
+        self.restoreState(state if not state.isEmpty() else self._standard)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close once nothing can be lost by it."""
+        if not self._may_close:
+            event.ignore()
+            self.files.may_close(self._close)
+            return
+        settings = self.studio.settings
+        settings.keep("geometry", self.saveGeometry())
+        if self.studio.is_open:
+            settings.keep("state", self.saveState())
+        self.studio.shut_down()
+        event.accept()
+        self.closed.emit()
+
+    def _close(self) -> None:
+        self._may_close = True
+        self.close()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep messages at the top of the canvas, in the middle."""
+        if watched is self._pages and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            self._place_messages()
+        return super().eventFilter(watched, event)
+
+    def _place_messages(self) -> None:
+        width = min(MESSAGE_WIDTH, self._pages.width() - 32)
+        height = max(40, self.messages.heightForWidth(width))
+        self.messages.setGeometry((self._pages.width() - width) // 2, 12, width, height)
