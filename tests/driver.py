@@ -24,7 +24,18 @@ from app.engine.commands import (
 )
 from app.engine.learning import Learner
 from app.engine.session import Session
-from app.engine.snapshots import Edit, Event, Interrupted, Mode, NodeView, Refused, Snapshot, edited
+from app.engine.snapshots import (
+    Asked,
+    Edit,
+    Event,
+    Interrupted,
+    Mode,
+    Moved,
+    NodeView,
+    Refused,
+    Snapshot,
+    edited,
+)
 from app.sim.scenario import Scenario
 from tests import corridor
 
@@ -39,6 +50,7 @@ class Driver:
         session: The session.
         project: The caller's, kept by applying the session's edits.
         interruptions: What the session told of things that ended by themselves.
+        told: What it asked, and what was moved.
     """
 
     def __init__(
@@ -54,6 +66,7 @@ class Driver:
         world = {f"world.{name}": value for name, value in settings.items()}
         self.session = Session(self.project, scenario, arm, seed, learner, world | UNCOMPILED)
         self.interruptions: list[str] = []
+        self.told: list[Asked | Moved] = []
         self.problems: list[str] = []
         self._lesson = ("agent", "Shuttle")
         self._node = "agent-1"
@@ -154,6 +167,8 @@ class Driver:
                 raise AssertionError(f"refused: {message}")
             case Interrupted(message):
                 self.interruptions.append(message)
+            case Asked() | Moved():
+                self.told.append(event)
             case _:
                 edit: Edit = event
                 self.project = edited(self.project, edit)

@@ -43,7 +43,7 @@ from app.engine.commands import (
 )
 from app.engine.commands import Test as LearnAndTest
 from app.engine.session import Session
-from app.engine.snapshots import Interrupted, Refused, edited
+from app.engine.snapshots import Edit, Refused, edited
 from tests.corridor import corridor, features, project
 from tests.driver import UNCOMPILED
 from tests.samples import AGENT, GROUP
@@ -168,7 +168,7 @@ class Hand:
     def hear(self) -> None:
         """Apply what the session has reported."""
         for event in self.session.events():
-            if not isinstance(event, Refused | Interrupted):
+            if isinstance(event, Edit):
                 self.applied += 1
                 with suppress(EditError):
                     self.project = edited(self.project, event)
