@@ -106,6 +106,8 @@ NO_VERBS = frozenset(
 )
 #: Verbs by which a clause with a subject of its own is recognized.
 VERBS = re.compile(r" (is|are|has|have|lies|lie|does|do|needs|need|can|was|were) ")
+#: Letters by themselves are called by their names.
+BEGINS_WITH_VOWEL = re.compile(r"[aeioAEIO]|[uU][^ns]|[FHLMNRSX]\b")
 PLURALS = {"is": "are", "has": "have", "does": "do", "was": "were", "goes": "go", "its": "their"}
 
 
@@ -169,9 +171,12 @@ def filled(phrase: str, slots: Mapping[str, str]) -> str:
     """*phrase* with words for its {slots}; what it has no words for stays as it stands there."""
 
     def word(slot: "re.Match[str]") -> str:
-        return slots.get(slot[1], slot[0])
+        article, words = slot[1] or "", slots.get(slot[2])
+        if words is None:
+            return slot[0]
+        return ("an " if article and BEGINS_WITH_VOWEL.match(words) else article) + words
 
-    return re.sub(r"\{(\w+)\}", word, phrase)
+    return re.sub(r"(\ba )?\{(\w+)\}", word, phrase)
 
 
 # ------------------------------------------------------------------------------------------------ numbers

@@ -45,9 +45,14 @@ def predicate(feature: Feature, slots: Mapping[str, str], span: Span) -> str:
 
 def reading(feature: Feature, slots: Mapping[str, str], value: float) -> str:
     """What a number is now, in the feature's phrases: "4.2 from deposit"; empty where it has none for that."""
-    if value == feature.default and _is_beyond(feature):
+    if is_of_nobody(feature, value):
         return filled(feature.phrases.none, slots)
     return _put(feature.phrases.at, slots, value=_with_unit(feature, value))
+
+
+def is_of_nobody(feature: Feature, value: float) -> bool:
+    """Whether a value says that there is no target."""
+    return value == feature.default and _is_beyond(feature)
 
 
 def _boolean(feature: Feature, slots: Mapping[str, str], *, wanted: bool) -> str:

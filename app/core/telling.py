@@ -1,7 +1,7 @@
 """One feature of an automaton in words, whatever it is made of: the world, a flag, time, or a statistic."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import floor, inf
 
 from .errors import ScenarioError
@@ -18,7 +18,7 @@ from .features import (
     declaration,
 )
 from .phrasing import CAPTION, Who, number, said_of
-from .predicates import is_true, named, predicate, reading
+from .predicates import is_of_nobody, is_true, named, predicate, reading
 from .spans import Between, Is, Span
 from .vocabulary import DONE, FAILED, FINISHED, Feature, FeatureKind, Vocabulary
 
@@ -40,11 +40,15 @@ class Speech:
         clause: In clauses with a subject, "it sees a box", rather than captions, "sees a box".
         group: The name of the controller whose agents are summed up: "Group 3".
         held: What the current state holds, whose flags are tested: "Goto".
+        targets: What the automaton's parameters stand for: "deposit" for "X".
+        detailed: With what phrases leave out where they are short: "sees a box that still needs pullers".
     """
 
     clause: bool = False
     group: str = ""
     held: str = ""
+    targets: Mapping[str, str] = field(default_factory=dict)
+    detailed: bool = False
 
 
 CAPTIONS = Speech()
@@ -77,7 +81,9 @@ class Telling:
             case TicksInState() if isinstance(span, Between):
                 return self._lasting(_ticks(span.low, span.high))
             case Sense(_, bindings):
-                words = said_of(self._it, self._detailed(predicate(self._feature, _slots(bindings), span)))
+                words = said_of(
+                    self._it, self._detailed(predicate(self._feature, self._slots(bindings), span))
+                )
             case Statistic() as statistic:
                 words = self._statistic(statistic, span)
         return words or named(self._use.shown, self._feature, span, clause=self._speech.clause)
@@ -88,18 +94,32 @@ class Telling:
             return self.test(Is(value))
         words = ""
         match self._use.source:
+            case TicksInState() if value == 0.0:
+                return "it has just entered this state" if self._speech.clause else "just entered this state"
             case TicksInState():
                 return self._lasting(_count(value, "tick"))
             case Sense(_, bindings):
-                words = said_of(self._it, reading(self._feature, _slots(bindings), value))
+                words = said_of(self._it, reading(self._feature, self._slots(bindings), value))
             case Statistic(operation) as statistic:
                 words = self._amount(operation, statistic, value)
         return words or named(self._use.shown, self._feature, Is(value), clause=self._speech.clause)
 
+    def is_of_nobody(self, value: float) -> bool:
+        """Whether a value says that there is no target."""
+        return isinstance(self._use.source, Sense) and is_of_nobody(self._feature, value)
+
+    def _slots(self, bindings: Bindings) -> Mapping[str, str]:
+        """Words for the target parameters of a feature."""
+        known = self._speech.targets
+        return {
+            slot: bound.target if isinstance(bound, Ground) else known.get(bound.name, bound.name)
+            for slot, bound in bindings.items()
+        }
+
     def _detailed(self, phrase: str) -> str:
-        """An explanation says more than a caption."""
+        """A phrase with what it leaves out where it is short."""
         detail = self._feature.phrases.detail
-        return f"{phrase} {detail}" if phrase and detail and self._speech.clause else phrase
+        return f"{phrase} {detail}" if phrase and detail and self._speech.detailed else phrase
 
     def _flag(self, flag: str, *, up: bool) -> str:
         if not self._speech.clause:
@@ -134,7 +154,7 @@ class Telling:
                 return _flag_words(flag)[0 if is_true(span) else 1]
             case Sense(name, bindings):
                 inner = self._vocabulary.features.get(name)
-                return "" if inner is None else predicate(inner, _slots(bindings), span)
+                return "" if inner is None else predicate(inner, self._slots(bindings), span)
 
     def _extreme(self, statistic: Statistic, crowd: "_Crowd", low: float, high: float) -> str:
         """The least is at most so much where someone is; it is above where everyone is. The greatest, the other way."""
@@ -172,7 +192,7 @@ class Telling:
             return said_of(crowd.just(value), says)
         if operation is Operation.MEAN and inner is not None and inner.kind is FeatureKind.CONTINUOUS:
             bindings = statistic.of.bindings if isinstance(statistic.of, Sense) else {}
-            says = reading(inner, _slots(bindings), value)
+            says = reading(inner, self._slots(bindings), value)
             return said_of(crowd.average(), says) if says else ""
         return ""
 
@@ -239,10 +259,6 @@ class _Crowd:
 
 def _flag_words(flag: str) -> tuple[str, str]:
     return FLAG_WORDS.get(flag, (f"has raised {flag}", f"has not raised {flag}"))
-
-
-def _slots(bindings: Bindings) -> Mapping[str, str]:
-    return {slot: b.target if isinstance(b, Ground) else b.name for slot, b in bindings.items()}
 
 
 def _ticks(low: float, high: float) -> str:

@@ -3,10 +3,13 @@
 Wherever a *vocabulary* is asked for, it is the scenario's, which has the features of agents and of groups.
 """
 
-from .automaton import Automaton, Content
+from collections.abc import Iterable, Mapping
+
+from .automaton import Automaton, Basic, Content, Nested, Rule
 from .conditions import Condition, Guard
 from .examples import Example
 from .features import FeatureUse, Sense
+from .hierarchy import Node
 from .library import Library
 from .naming import shown_content, shown_state
 from .phrasing import for_people, number, unit_of
@@ -24,7 +27,11 @@ __all__ = [
     "content_words",
     "example_words",
     "guard_words",
+    "held_words",
+    "node_words",
     "reading_words",
+    "readings",
+    "rule_words",
     "state_words",
     "value_words",
 ]
@@ -69,6 +76,20 @@ def reading_words(use: FeatureUse, value: float, vocabulary: Vocabulary, speech:
     return Telling(use, vocabulary, speech).value(value)
 
 
+def readings(
+    uses: Iterable[FeatureUse], values: Mapping[str, float], vocabulary: Vocabulary, speech: Speech = CAPTIONS
+) -> list[str]:
+    """What several features say now; where one says that there is no target, what others say of it means nothing."""
+    uses = [use for use in uses if use.id in values]
+    nobody = [use for use in uses if Telling(use, vocabulary).is_of_nobody(values[use.id])]
+    lost = [use.source.bindings for use in nobody if isinstance(use.source, Sense)]
+    return [
+        reading_words(use, values[use.id], vocabulary, speech)
+        for use in uses
+        if use in nobody or not (isinstance(use.source, Sense) and use.source.bindings in lost)
+    ]
+
+
 def feature_of(automaton: Automaton, feature_id: str) -> FeatureUse:
     """A feature by id; of one that is gone, only its id can be told."""
     known = (use for use in automaton.features if use.id == feature_id)
@@ -88,6 +109,36 @@ def state_words(automaton: Automaton, state_id: str, library: Library) -> str:
     return shown_state(automaton, state_id, library)
 
 
+def held_words(automaton: Automaton, state_id: str, library: Library) -> str:
+    """What a state holds by its name alone, to say something of it: "Goto"; the state's own name where that is not one."""
+    content = next((state.content for state in automaton.states if state.id == state_id), None)
+    match content:
+        case Basic(behavior):
+            return behavior
+        case Nested(held) if held in library.automata:
+            return library.automata[held].name
+    return shown_state(automaton, state_id, library)
+
+
+def node_words(node: Node) -> str:
+    """What the user calls a node: its name, or else its id made readable: "Agent 17" for "agent-17"."""
+    readable = node.id.replace("-", " ").replace("_", " ").strip()
+    return node.name or readable[:1].upper() + readable[1:]
+
+
+def rule_words(rule: Rule, automaton: Automaton, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> str:
+    """When an authored rule applies: "sees a box", "otherwise", "by chance, 0.5%", "always"."""
+    earlier = automaton.rules_of(rule.source)
+    first = not earlier or earlier[0].id == rule.id
+    share = "" if rule.probability >= 1.0 else f"{number(100.0 * rule.probability)}%"
+    if rule.guard:
+        words = guard_words(rule.guard, automaton, vocabulary, speech)
+        return f"{words}, {share}" if share else words
+    if share:
+        return f"by chance, {share}"
+    return "always" if first else "otherwise"
+
+
 def example_words(
     example: Example,
     automaton: Automaton,
@@ -103,11 +154,8 @@ def example_words(
         classifier: The model of its state, if not the one that the automaton has.
     """
     source, label = (shown_state(automaton, state, library) for state in (example.source, example.label))
-    speech = Speech(clause=True, held=source)
-    told = [
-        reading_words(use, example.values[use.id], vocabulary, speech)
-        for use in _mattering(example, automaton, classifier)
-    ]
+    speech = Speech(clause=True, held=held_words(automaton, example.source, library))
+    told = readings(_mattering(example, automaton, classifier), example.values, vocabulary, speech)
     went = f"stays in {label}" if example.source == example.label else f"{source} → {label}"
     return went + (f" when {' and '.join(told)}" if told else "")
 
