@@ -95,7 +95,9 @@ class Telling:
         words = ""
         match self._use.source:
             case TicksInState() if value == 0.0:
-                return "it has just entered this state" if self._speech.clause else "just entered this state"
+                return (
+                    f"it has just entered {self._here}" if self._speech.clause else "just entered this state"
+                )
             case TicksInState():
                 return self._lasting(_count(value, "tick"))
             case Sense(_, bindings):
@@ -126,9 +128,13 @@ class Telling:
             return flag if up else f"not {flag}"
         return f"{self._speech.held or 'it'} {_flag_words(flag)[0 if up else 1]}"
 
+    @property
+    def _here(self) -> str:
+        return self._speech.held or "this state"
+
     def _lasting(self, ticks: str) -> str:
         if self._speech.clause:
-            return f"it has been in this state for {ticks}"
+            return f"it has been in {self._here} for {ticks}"
         return f"{ticks} in this state"
 
     # ---------------------------------------------------------------------------------------- statistics

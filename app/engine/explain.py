@@ -197,8 +197,9 @@ def _told(case: _Case, *, of_its: bool) -> Reason:
     ranked = _ranked(case)
     who = f"Its {level.type}'s {case.automaton.name}" if of_its else case.automaton.name
     if not ranked:
-        parts = (Part(f"{who} is in "), case.shown(level.state), Part("; what comes next cannot be told now"))
-        return Reason(case.node, level.type, level.automaton, level.state, level.state, parts)
+        unknown = Part("; what comes next cannot be told now")
+        parts = [Part(f"{who} is in "), case.shown(level.state), unknown]
+        return _reason(case, level.state, 0.0, parts, None)
     goes, probability = ranked[0]
     examples = case.project.examples_of(level.type, level.automaton)
     way = deciding_way(case.automaton, level.state, level.values, goes, examples)
@@ -301,8 +302,9 @@ def _told_not(case: _Case, state: str) -> Reason:
     chance = dict(_ranked(case)).get(state, 0.0)
     does = "stay in " if state == level.state else "go to "
     if chance > 0.0:
-        how = "will" if chance >= CERTAIN else f"may, by {_percent(chance)},"
-        parts = [Part(f"{case.automaton.name} {how} {does}"), case.shown(state)]
+        certain = chance >= CERTAIN
+        parts = [Part(f"{case.automaton.name} {'will' if certain else 'may'} {does}"), case.shown(state)]
+        parts += [] if certain else [Part(f", with a probability of {_percent(chance)} at this tick")]
         return _reason(case, state, chance, parts, None)
     examples = case.project.examples_of(level.type, level.automaton)
     leading = [
