@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ..core.errors import UnderstudyError
 from ..core.project import Arm, Project, Value
-from ..engine.commands import RedoMove, UndoPick, UseArm
+from ..engine.commands import RedoMove, UndoPick, UseArm, Watch
 from ..engine.scenarios import open_scenario
 from ..engine.snapshots import Mode, Refused, Snapshot, TakenBack
 from ..sim.scenario import Scenario
@@ -22,6 +22,10 @@ from .selection import BehaviorKey, Selection
 from .settings import Settings
 from .teach.teaching import Teaching
 from .theme import Theme
+
+
+#: Of so many selected nodes, the last ones, snapshots show what they are about to decide.
+MOST_WATCHED = 8
 
 
 class Kind(StrEnum):
@@ -97,6 +101,7 @@ class Studio(QObject):
         bridge.event_came.connect(self._event_came)
         self.theme.changed.connect(self.actions.dress)
         self.settings.changed.connect(self._setting_changed)
+        selection.nodes_changed.connect(self._watch)
         for signal in (
             document.history_changed,
             bridge.mode_changed,
@@ -177,6 +182,11 @@ class Studio(QObject):
 
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
+        self._watch()
+
+    def _watch(self) -> None:
+        """Have snapshots show what the selected nodes are about to decide."""
+        self.bridge.send(Watch(self.selection.nodes[-MOST_WATCHED:]))
 
     # ------------------------------------------------------------------------------------- undo and redo
 
