@@ -10,6 +10,7 @@ from ..core.edits.examples import Recorded
 from ..core.errors import UnderstudyError
 from ..core.project import Project, Value
 from ..engine.commands import Command, UndoMove, UseProject
+from ..engine.compiling import KernelCompiler
 from ..engine.learning import WorkerLearner
 from ..engine.session import Session
 from ..engine.snapshots import (
@@ -86,7 +87,9 @@ class Bridge(QObject):
         document, project = self._document, self._document.project
         self._applied, self._picks = 0, []
         self._engine = self._make(
-            lambda wake: Session(project, document.scenario, arm, seed, WorkerLearner(wake), settings)
+            lambda wake: Session(
+                project, document.scenario, arm, seed, WorkerLearner(wake), settings, KernelCompiler(wake)
+            )
         )
         self._timer.start()
 

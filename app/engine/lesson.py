@@ -37,6 +37,7 @@ class Lesson:
         testing: Whether what was learned is being tested.
         taught: Nodes that are in training mode now.
         treatment: Where it takes place.
+        engine: What passes its ticks; one that takes over its world may take its place.
     """
 
     def __init__(
@@ -55,7 +56,7 @@ class Lesson:
         self.testing = False
         self.taught = frozenset(plan.nodes)
         self.treatment = treatment
-        self._engine = engine
+        self.engine = engine
         self._forest = treatment.arm.forest()
         self._forest_hash = forest_hash(self._forest)
         self._acts = past(earlier)
@@ -68,7 +69,7 @@ class Lesson:
         Raises:
             SessionError, LibraryError: The plan cannot be carried out any more, see `check_plan`.
         """
-        check_plan(self._engine.machine, self.plan)
+        check_plan(self.engine.machine, self.plan)
         self.testing = True
         self.taught = frozenset()
         self._acts = past(self._acts)
@@ -76,7 +77,7 @@ class Lesson:
 
     def _begin(self, pupils: Iterable[Node]) -> None:
         self._pupils = {node.id: node for node in pupils}
-        machine = self._engine.machine
+        machine = self.engine.machine
         self._departures = Departures(self._moment, len(machine.actors))
         self._still = still_nodes(self._forest, self._pupils.values(), self.plan.others)
         name = automaton_of(machine, self.plan).name
@@ -112,7 +113,7 @@ class Lesson:
         if run is None or not self.testing or actor.node.id not in self._pupils:
             return
         if is_taught_one(run, self.plan):
-            engine = self._engine
+            engine = self.engine
             values = seen(engine.machine, engine.senses, actor, run, automaton_of(engine.machine, self.plan))
             self._departures.note(actor.node.id, Departure(run.state, values, engine.tick))
 
@@ -122,14 +123,14 @@ class Lesson:
         Raises:
             SessionError, LibraryError: The lesson cannot go on, see `check_plan`.
         """
-        check_plan(self._engine.machine, self.plan)
+        check_plan(self.engine.machine, self.plan)
         lost = {act.node: why for act in self._acts if not act.done and (why := self._obstacle(act))}
         self._acts = [replace(act, done=True) if act.node in lost else act for act in self._acts]
         return [f"what was picked for {node!r} is not done: {why}" for node, why in lost.items()]
 
     def _obstacle(self, act: Act) -> str:
         """Why a pick cannot be carried out; empty if it can."""
-        automaton = automaton_of(self._engine.machine, self.plan)
+        automaton = automaton_of(self.engine.machine, self.plan)
         if not automaton.has_state(act.goal):
             return f"the state {act.goal!r} is gone from {automaton.name!r}"
         try:
@@ -155,7 +156,7 @@ class Lesson:
             EditError, BindingError: The choice is not possible in the automaton, or needs a target that is open.
         """
         actor, run = self._running(node_id)
-        machine, plan = self._engine.machine, self.plan
+        machine, plan = self.engine.machine, self.plan
         state, added = state_for(
             project,
             self.treatment.scenario.vocabulary,
@@ -165,11 +166,11 @@ class Lesson:
         )
         self._refuse_open(actor, run, state)
         automaton = automaton_of(machine, plan)
-        values = seen(machine, self._engine.senses, actor, run, automaton)
+        values = seen(machine, self.engine.senses, actor, run, automaton)
         entered = on_entry(machine, actor, automaton, state, values)
         taught = triples(automaton, machine.types.vocabulary(plan.type), run, state, values, entered)
         moment = self._moment()
-        recorded = self._filed(project, node_id, taught, added, moment, self._engine.tick)
+        recorded = self._filed(project, node_id, taught, added, moment, self.engine.tick)
         return self._act(node_id, recorded, state.id, moment.machine)
 
     def should_not_have_left(self, project: Project, node_id: str) -> Act:
@@ -188,7 +189,7 @@ class Lesson:
             raise SessionError(
                 f"{node_id!r} has left no state by itself since the test began: nothing to mend"
             )
-        automaton = automaton_of(self._engine.machine, self.plan)
+        automaton = automaton_of(self.engine.machine, self.plan)
         if not automaton.has_state(left.state):
             raise SessionError(
                 f"{node_id!r} left the state {left.state!r}, which is gone from {automaton.name!r}"
@@ -196,7 +197,7 @@ class Lesson:
         self._refuse_open(actor, run, automaton.state(left.state))
         stays = [Triple(left.state, left.state, left.values)]
         recorded = self._filed(project, node_id, stays, None, self._departures.moment(left), left.tick)
-        act = self._act(node_id, recorded, left.state, freeze(self._engine.machine))
+        act = self._act(node_id, recorded, left.state, freeze(self.engine.machine))
         return replace(act, mended=left)
 
     def add(self, act: Act) -> None:
@@ -221,7 +222,7 @@ class Lesson:
             raise SessionError("there is no pick left to take back in this lesson")
         act = self._acts.pop()
         self._unmend(act)
-        put_back(self._engine.machine, act)
+        put_back(self.engine.machine, act)
         if act.before is not None and not act.was_taught:
             self.taught -= {act.node}
         return act
@@ -236,7 +237,7 @@ class Lesson:
         return next((state.content for state in added if state and state.id == choice), choice)
 
     def _refuse_open(self, actor: Actor, run: Run, state: State) -> None:
-        types, type_name = self._engine.machine.types, self.plan.type
+        types, type_name = self.engine.machine.types, self.plan.type
         match state.content:
             case Basic(name, bindings):
                 bind(types.vocabulary(type_name).behavior(name).parameters, bindings, actor, run, state)
@@ -247,7 +248,7 @@ class Lesson:
         if node_id not in self._pupils:
             there = some(list(self._pupils))
             raise SessionError(f"{node_id!r} is not taught or tested now; pick for one of: {there}")
-        actor = self._engine.machine.actors[node_id]
+        actor = self.engine.machine.actors[node_id]
         if actor.run is None or not is_taught_one(actor.run, self.plan):
             raise SessionError(
                 f"{node_id!r} does not run {self.plan.automaton!r} now; start teaching it again"
@@ -259,7 +260,7 @@ class Lesson:
         return Act(node_id, recorded, goal, before, node_id in self.taught)
 
     def _moment(self) -> Moment:
-        return take(self._engine, self.treatment, self._forest_hash)
+        return take(self.engine, self.treatment, self._forest_hash)
 
     def _filed(
         self,

@@ -14,7 +14,7 @@ from ..core.errors import SessionError, UnderstudyError
 from ..core.machine_state import rebase
 from ..core.project import Project, Value
 from ..sim.engine import Control, Engine
-from ..sim.engines import COMPILED, REFERENCE
+from ..sim.engines import AUTO, COMPILED, REFERENCE
 from ..sim.scenario import Scenario
 from .acts import Act
 from .carrying_over import EditLog, arm_now, losses
@@ -35,6 +35,7 @@ from .commands import (
     UseProject,
     Watch,
 )
+from .compiling import KernelCompiler
 from .directing import direct_roots
 from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
@@ -79,11 +80,13 @@ class Session:
         seed: int = 1,
         learner: Learner | None = None,
         settings: Mapping[str, Value] | None = None,
+        compiler: KernelCompiler | None = None,
     ) -> None:
         """Begin with *arm*, its roots running its top behavior, paused.
 
         Args:
             settings: As in `UseArm`.
+            compiler: Compiles the scenario's kernel beside the session; without one, the session does so itself.
 
         Raises:
             UnderstudyError: The arm does not exist or cannot run.
@@ -94,6 +97,7 @@ class Session:
         self.due = 0
         self._scenario = scenario
         self._learner = learner or InlineLearner()
+        self._compiler = compiler
         self._models = Models(scenario.vocabulary)
         self._models.use(project)
         self._tickets = 0
@@ -106,7 +110,7 @@ class Session:
         self._settings = settings or {}
         self._seed = seed
         self._treatment = self._treat(arm, self._settings)
-        self._engine: Engine = start_engine(self._treatment, seed, self._leaving)
+        self._engine: Engine = self._start(self._treatment, seed)
         self._columns = self._engine.columns()
         self._place = place_of(self._engine, arm)
         self._watch: tuple[str, ...] = ()
@@ -129,7 +133,11 @@ class Session:
         return self.snapshot()
 
     def settle(self) -> None:
-        """Take in models that were learned meanwhile."""
+        """Take in models that were learned meanwhile, and a kernel that was compiled."""
+        if self._compiler is not None and self._treatment.engine == AUTO:
+            self._engine = self._compiler.compiled(self._engine)
+            if self._lesson is not None:
+                self._lesson.engine = self._engine
         for answer in self._learner.answers():
             self._take(answer)
 
@@ -203,6 +211,8 @@ class Session:
     def close(self) -> None:
         """End what runs beside the session."""
         self._learner.close()
+        if self._compiler is not None:
+            self._compiler.close()
 
     def _refuse(self, why: object) -> None:
         self._events.append(Refused(self._tickets, str(why)))
@@ -241,7 +251,7 @@ class Session:
     @_obey.register
     def _(self, command: UseArm) -> None:
         of = self._treat(command.arm, command.settings)
-        self._begin(start_engine(of, self._seed, self._leaving), of, None)
+        self._begin(self._start(of, self._seed), of, None)
         self._settings = command.settings
         self._waits_for = None
 
@@ -249,7 +259,7 @@ class Session:
     def _(self, command: Reset) -> None:
         seed = self._seed if command.seed is None else command.seed
         of = self._treat(self._treatment.arm.name, self._settings)
-        engine = start_engine(of, seed, self._leaving, idle=self._lesson is not None)
+        engine = self._start(of, seed, idle=self._lesson is not None)
         lesson = None
         if self._lesson is not None:
             lesson = Lesson(engine, of, self._lesson.plan, self._lesson.acts)
@@ -319,6 +329,10 @@ class Session:
     def _refuse_failed(self) -> None:
         if self._failure:
             raise SessionError(f"the world stands still: {self._failure}. Reset it to go on")
+
+    def _start(self, of: Treatment, seed: int, *, idle: bool = False) -> Engine:
+        start = start_engine if self._compiler is None else self._compiler.start
+        return start(of, seed, self._leaving, idle=idle)
 
     def _begin(self, engine: Engine, of: Treatment, lesson: Lesson | None) -> None:
         """Go on in another world, in which nothing can fail any more."""

@@ -24,6 +24,7 @@ class ReferenceEngine:
     """One world stepped by `app.core.machine` and the scenario's uncompiled functions.
 
     Attributes:
+        observed: Whether somebody is to be told who leaves a state.
         obstacle: Why this engine has to do instead of one that compiles, if so.
         compiled: It never is.
     """
@@ -35,6 +36,7 @@ class ReferenceEngine:
     ) -> None:
         start = with_columns(start)
         self.start = start
+        self.observed = leaving is not None
         self.obstacle = ""
         self._roster = Roster()
         self._scenario = start.scenario

@@ -44,13 +44,15 @@ class KernelEngine:
         classifiers: Classifiers = stored_classifiers,
         notice: Notice | None = None,
         folder: Path | None = None,
+        over: ReferenceEngine | None = None,
     ) -> None:
-        """Begin a run.
+        """Begin a run, or go on with one.
 
         Args:
             leaving: Told of every change of state at the top of a node, in ticks whose control listens.
             notice: Told when the kernel has to be compiled.
             folder: Where compiled kernels are kept; the user's cache folder by default.
+            over: A run that goes on compiled: its world, its nodes and its observer are taken over as they are.
 
         Raises:
             UncompilableError: The scenario cannot be compiled.
@@ -58,8 +60,7 @@ class KernelEngine:
         """
         self.obstacle = ""
         self.senses: Senses = _FreshSenses(self)
-        self._observed = leaving is not None
-        self._reference = ReferenceEngine(start, leaving, classifiers)
+        self._reference = over or ReferenceEngine(start, leaving, classifiers)
         self.start = self._reference.start  # with what its physics needs
         reference = self._reference
         self._flat = FlatWorld(self.start.scenario, reference.world, reference.physics, notice, folder)
@@ -81,7 +82,7 @@ class KernelEngine:
 
     def _is_free(self, control: Control) -> bool:
         """Whether nobody interferes and nobody listens."""
-        heard = self._observed and control.listen
+        heard = self._reference.observed and control.listen
         return not (control.picks or control.taught or control.still or heard)
 
     def _run(self, ticks: int) -> None:
