@@ -67,6 +67,7 @@ from .forests import (
     rename_node,
     set_hierarchy,
 )
+from .layouts import forget_layout, move_states
 from .learned import add_prune, prune_weak, remove_prune, replace_prune, set_learned
 from .node_types import add_type, delete_type, rename_type, set_subsidiaries
 from .picking import state_for
@@ -117,12 +118,14 @@ __all__ = [
     "drop_feature",
     "duplicate_automaton",
     "enable_examples",
+    "forget_layout",
     "group_nodes",
     "move_arm",
     "move_demonstration",
     "move_feature",
     "move_nodes",
     "move_state",
+    "move_states",
     "next_pick",
     "note_project",
     "note_state",

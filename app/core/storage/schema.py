@@ -276,6 +276,20 @@ class ExamplesRecord(Record):
         return self
 
 
+class PlaceRecord(Record):
+    """Where the user put a state: its center, in pixels, y downward."""
+
+    x: float
+    y: float
+
+
+class LayoutRecord(Record):
+    """``layouts/TYPE/ID.json``: where the user put states of one automaton when it is drawn."""
+
+    automaton: FileName
+    states: dict[str, PlaceRecord]
+
+
 class PickRecord(Record):
     """One act of a demonstrator's hand."""
 

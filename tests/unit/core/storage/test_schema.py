@@ -51,7 +51,7 @@ def test_every_field_of_a_value_has_a_place_on_disk(value: Any) -> None:
 
 
 def test_every_part_of_a_project_has_a_place_on_disk() -> None:
-    elsewhere = {"libraries", "examples", "moments"}
+    elsewhere = {"libraries", "examples", "moments", "layouts"}
     stored = set(schema.ProjectRecord.model_fields) - {"schema_version"}
     assert {field.name for field in fields(Project)} == stored | elsewhere
 
