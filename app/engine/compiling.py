@@ -35,7 +35,7 @@ class KernelCompiler:
         """Begin nothing yet.
 
         Args:
-            ready: Called from a thread when a kernel is there, or cannot be; it must only wake somebody up.
+            ready: Called from a thread when something has changed about a kernel; it must only wake somebody up.
             folder: Where compiled kernels are kept; the user's cache folder by default.
         """
         self._ready = ready
@@ -83,11 +83,13 @@ class _Compilation:
     Attributes:
         done: It is there, or cannot be.
         problem: Why it cannot be.
+        notice: What is going on, if that takes long.
     """
 
     def __init__(self, start: Start, ready: Callable[[], None], folder: Path | None) -> None:
         self.done = False
         self.problem = ""
+        self.notice = ""
         self._start = start
         self._ready = ready
         self._folder = folder
@@ -131,6 +133,8 @@ class _Compilation:
         """Compile in another process and in a folder of its own, so that what is half done is in nobody's way."""
         from ..sim.kernel import ahead  # noqa: PLC0415 - as above
 
+        self.notice = COMPILING
+        self._ready()
         where = whereabouts(self._start.scenario)
         room = Path(mkdtemp(dir=folder, prefix="compiling-"))
         try:

@@ -12,6 +12,8 @@ from .pace import FRAME, Pace
 from .session import Session
 from .snapshots import Event, Refused, Snapshot
 
+#: Snapshots that take long are shown less often, so that ticks get at least so many times what they take.
+SHARE = 6
 #: Makes the session, given what wakes the thread up.
 MakeSession = Callable[[Callable[[], None]], Session]
 
@@ -203,7 +205,7 @@ class EngineThread:
         began = self._clock()
         snapshot, events = session.snapshot(), session.events()
         ended = self._clock()
-        self._show_at = ended + max(FRAME, 3 * (ended - began))  # a large world is not shown all the time
+        self._show_at = ended + max(FRAME, SHARE * (ended - began))  # a large world is not shown all the time
         self._post(snapshot, events)
 
     def _post(self, snapshot: Snapshot, events: list[Event]) -> None:

@@ -11,7 +11,12 @@ from .source import Layout, layout_of
 
 def is_kept(scenario: Scenario, folder: Path) -> bool:
     """Whether *folder* has the scenario's kernel, or the reason why it has none."""
-    return build.is_kept(build.path_in(folder, scenario, _layout(scenario)))
+    return build.is_kept(path_of(scenario, folder))
+
+
+def path_of(scenario: Scenario, folder: Path) -> Path:
+    """Where *folder* keeps the scenario's kernel."""
+    return build.path_in(folder, scenario, _layout(scenario))
 
 
 def load(scenario: Scenario, folder: Path) -> None:
