@@ -103,6 +103,20 @@ class Lesson:
         picks = {act.node: act.goal for act in self._acts if not act.done}
         return Control(picks, self.taught, self._still, listen=self.testing)
 
+    def decides(self, node_id: str) -> bool:
+        """Whether a node is tested and decides by itself in the coming tick."""
+        return (
+            self.testing
+            and node_id in self._pupils
+            and node_id not in self.taught
+            and node_id not in self._still
+        )
+
+    def hand_back(self, node_id: str) -> None:
+        """Let a node of the test decide by itself again."""
+        if self.testing:
+            self.taught -= {node_id}
+
     def ticked(self) -> None:
         """A tick has passed, and with it the picks were carried out."""
         self._acts = [act if act.done else replace(act, done=True) for act in self._acts]
