@@ -1,15 +1,19 @@
 """How the window looks: Fusion with our palette on every platform, light or dark, and a few lines of style."""
 
 from enum import StrEnum
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPalette
 from PySide6.QtWidgets import QApplication
 
+from ..engine.shipped import shipped_folder
 from .palette import DARK, LIGHT, Palette
 
 #: Pixels of text and of captions.
 TEXT, CAPTION = 13, 11
+#: Where the arrows of boxes are.
+ARROWS = Path("resources", "icons")
 
 
 class ThemeMode(StrEnum):
@@ -128,9 +132,13 @@ def style_sheet(colors: Palette) -> str:
     """What a palette cannot say: hairlines instead of frames, rounded controls, flat tool bars."""
     hover = mixed(colors.accent, colors.raised, 0.86).name()
     chosen = mixed(colors.accent, colors.panel, 0.78).name()
+    handle = mixed(colors.dim, colors.panel, 0.6).name()
+    arrow = f"{shipped_folder(ARROWS).as_posix()}/chevron-{{}}-{'light' if colors is LIGHT else 'dark'}.svg"
     return f"""
 QMainWindow, QMenuBar, QStatusBar {{ background: {colors.background}; }}
-QMainWindow::separator {{ background: {colors.hairline}; width: 1px; height: 1px; margin: 0 1px; }}
+QDockWidget > QWidget, QDialog {{ background: {colors.panel}; }}
+QMainWindow::separator {{ background: {colors.hairline}; width: 2px; height: 2px; }}
+QMainWindow::separator:hover {{ background: {colors.accent}; }}
 QStatusBar::item {{ border: none; }}
 QToolBar {{ background: {colors.background}; border: none; border-bottom: 1px solid {colors.hairline};
     padding: 6px 8px; spacing: 6px; }}
@@ -138,6 +146,7 @@ QToolBar::separator {{ background: {colors.hairline}; width: 1px; margin: 5px 6p
 QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid {colors.hairline}; padding: 4px; }}
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}
+QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
 QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {hover}; }}
 QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus {{
     border-color: {colors.accent}; }}
@@ -145,6 +154,30 @@ QPushButton:checked, QToolButton:checked {{ background: {chosen}; border-color: 
 QPushButton:disabled, QToolButton:disabled {{ background: {colors.panel}; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {hover}; }}
+QComboBox::drop-down {{ border: none; width: 20px; }}
+QComboBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 12px; height: 12px; }}
+QSpinBox, QDoubleSpinBox {{ padding-right: 18px; }}
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{ border: none; background: transparent; width: 18px; }}
+QAbstractSpinBox::up-arrow {{ image: url("{arrow.format("up")}"); width: 10px; height: 10px; }}
+QAbstractSpinBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 10px; height: 10px; }}
+QToolButton[popupMode="2"] {{ padding-right: 18px; }}
+QToolButton::menu-indicator {{ image: url("{arrow.format("down")}"); width: 10px; height: 10px;
+    subcontrol-position: right center; right: 5px; }}
+QTreeView::branch:has-children:closed {{ image: url("{arrow.format("right")}"); }}
+QTreeView::branch:has-children:open {{ image: url("{arrow.format("down")}"); }}
+QScrollBar:vertical {{ background: transparent; width: 10px; margin: 0; }}
+QScrollBar:horizontal {{ background: transparent; height: 10px; margin: 0; }}
+QScrollBar::handle {{ background: {handle}; border-radius: 3px; margin: 2px; }}
+QScrollBar::handle:vertical {{ min-height: 24px; }}
+QScrollBar::handle:horizontal {{ min-width: 24px; }}
+QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
+QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
+QMenu {{ background: {colors.raised}; border: 1px solid {colors.hairline}; padding: 4px; }}
+QMenu::item {{ padding: 5px 24px 5px 10px; border-radius: 4px; }}
+QMenu::item:selected {{ background: {chosen}; color: {colors.text}; }}
+QMenu::item:disabled {{ color: {handle}; }}
+QMenu::separator {{ background: {colors.hairline}; height: 1px; margin: 4px 6px; }}
+QMenu::icon {{ padding-left: 8px; }}
 QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ border: none;
     background: {colors.panel}; }}
 QTreeView::item, QListView::item {{ padding: 3px 2px; }}

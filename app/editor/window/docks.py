@@ -84,6 +84,8 @@ class Dock(QDockWidget):
         self.row = row
         self.setWidget(panel)
         self.setTitleBarWidget(_Title(row.title))
+        for part in (panel, self.titleBarWidget()):
+            part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # the style sheet paints the ground of panels
         if hasattr(panel, "title_changed"):
             panel.title_changed.connect(self.setWindowTitle)
         self.windowTitleChanged.connect(self._titled)
