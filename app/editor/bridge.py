@@ -9,7 +9,7 @@ from ..core.edits import describe, record_pick
 from ..core.edits.examples import Recorded
 from ..core.errors import UnderstudyError
 from ..core.project import Project, Value
-from ..engine.commands import Command, UndoMove, UseProject
+from ..engine.commands import Command, UndoMove, UndoPick, UseProject
 from ..engine.compiling import KernelCompiler
 from ..engine.learning import WorkerLearner
 from ..engine.session import Session
@@ -74,6 +74,7 @@ class Bridge(QObject):
         self.snapshot: Snapshot | None = None
         self._applied = 0
         self._taking = False
+        self._taking_back = 0
         self._picks: list[Recorded] = []  # those that the session can take back, as far as we know
         document.project_changed.connect(self._project_changed)
         self._timer = QTimer(self, interval=FRAME, timerType=Qt.TimerType.PreciseTimer)
@@ -85,7 +86,7 @@ class Bridge(QObject):
         """Begin a session of the document's project in another engine."""
         self.close()
         document, project = self._document, self._document.project
-        self._applied, self._picks = 0, []
+        self._applied, self._picks, self._taking_back = 0, [], 0
         self._engine = self._make(
             lambda wake: Session(
                 project, document.scenario, arm, seed, WorkerLearner(wake), settings, KernelCompiler(wake)
@@ -145,6 +146,8 @@ class Bridge(QObject):
             case Moved():
                 text = f"Move {event.node_or_kind}"
                 self._document.push(text, self._document.project, mark=MoveMark(event))
+            case Refused(ticket, _) if ticket and ticket == self._taking_back:
+                pass  # the lesson of the pick is over; whoever asked for it undoes the examples
             case Refused(_, message) | Interrupted(message):
                 self.told.emit(message)
         self.event_came.emit(event)
@@ -170,6 +173,7 @@ class Bridge(QObject):
                 self._picks.append(recorded)
             case TakenBack(recorded):
                 self._picks = [pick for pick in self._picks if pick != recorded]
+                self._taking_back = 0
                 last = document.history.last
                 if last is not None and last.mark == PickMark(recorded):
                     document.undo()
@@ -183,9 +187,14 @@ class Bridge(QObject):
         """Whether the session can undo the pick of a step, putting the node back as well."""
         return isinstance(mark, PickMark) and bool(self._picks) and self._picks[-1] == mark.recorded
 
+    def take_back(self) -> int:
+        """Have the session undo its last pick; returns the ticket. Only whoever asked hears of a refusal."""
+        self._taking_back = self.send(UndoPick())
+        return self._taking_back
+
     def forget_picks(self) -> None:
         """From now on picks are undone as examples only: their lesson is over."""
-        self._picks = []
+        self._picks, self._taking_back = [], 0
 
     def undo_move(self, mark: MoveMark) -> None:
         """Put back what was moved."""

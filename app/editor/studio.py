@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ..core.errors import UnderstudyError
 from ..core.project import Arm, Project, Value
-from ..engine.commands import RedoMove, UndoPick, UseArm, Watch
+from ..engine.commands import RedoMove, UseArm, Watch
 from ..engine.scenarios import open_scenario
-from ..engine.snapshots import Mode, Refused, Snapshot, TakenBack
+from ..engine.snapshots import Mode, Refused, Snapshot
 from ..sim.scenario import Scenario
 from .actions import Actions
 from .behavior_colors import BehaviorColors
@@ -22,7 +22,6 @@ from .selection import BehaviorKey, Selection
 from .settings import Settings
 from .teach.teaching import Teaching
 from .theme import Theme
-
 
 #: Of so many selected nodes, the last ones, snapshots show what they are about to decide.
 MOST_WATCHED = 8
@@ -66,12 +65,15 @@ class Studio(QObject):
         said: A `Message` for the user.
         changed: Something that decides what is possible has changed; told once for all of it.
         show_panel: Bring a panel to the front, by its id.
+        closing: The window closes: whoever works in the background has to end it.
     """
 
     opened = Signal()
+    closing = Signal()
     said = Signal(object)
     changed = Signal()
     show_panel = Signal(str)
+    moment_wanted = Signal(object, str, str)
 
     def __init__(self, theme: Theme, settings: Settings) -> None:
         super().__init__()
@@ -85,9 +87,10 @@ class Studio(QObject):
         self.actions = Actions(self)
         self.relearning = Relearning(self.document, settings)
         self.teaching = Teaching(self)
-        self._undoing = False
+        self._undo_ticket = self._undos_waiting = 0
         self._arm = ""
         self._settings: Mapping[str, Value] = {}
+        self._watched: tuple[str, ...] = ()
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self._refresh)
         self._connect()
@@ -99,9 +102,11 @@ class Studio(QObject):
         bridge.told.connect(self.warn)
         self.relearning.told.connect(self.warn)
         bridge.event_came.connect(self._event_came)
+        bridge.snapshot_changed.connect(self._snapshot_changed)
         self.theme.changed.connect(self.actions.dress)
         self.settings.changed.connect(self._setting_changed)
         selection.nodes_changed.connect(self._watch)
+        self.teaching.changed.connect(self._watch)
         for signal in (
             document.history_changed,
             bridge.mode_changed,
@@ -149,6 +154,7 @@ class Studio(QObject):
 
     def shut_down(self) -> None:
         """End all that runs in the background."""
+        self.closing.emit()
         self.bridge.close()
         self.relearning.close()
         self.settings.sync()
@@ -182,22 +188,32 @@ class Studio(QObject):
 
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
+        self._watched = ()
+        self._undo_ticket = self._undos_waiting = 0
         self._watch()
 
     def _watch(self) -> None:
-        """Have snapshots show what the selected nodes are about to decide."""
-        self.bridge.send(Watch(self.selection.nodes[-MOST_WATCHED:]))
+        """Have snapshots show what the selected nodes, and the one that is taught, are about to decide."""
+        nodes = tuple(filter(None, dict.fromkeys((*self.selection.nodes[-MOST_WATCHED:], self.teaching.node))))
+        if nodes != self._watched:
+            self._watched = nodes
+            self.bridge.send(Watch(nodes))
 
     # ------------------------------------------------------------------------------------- undo and redo
 
     def undo(self) -> None:
-        """Take back the last step: an edit, a pick, or something that was moved in the world."""
+        """Take back the last step: an edit, a pick, or something that was moved in the world.
+
+        A pick is taken back by the session, which puts the node back as well; what is undone meanwhile waits for that.
+        """
+        if self._undo_ticket:
+            self._undos_waiting += 1
+            return
         last = self.document.history.last
-        if last is None or self._undoing:
+        if last is None:
             return
         if self.bridge.can_take_back(last.mark):
-            self._undoing = True  # until the session has answered
-            self.bridge.send(UndoPick())
+            self._undo_ticket = self.bridge.take_back()
             return
         edit = self.document.undo()
         if isinstance(edit.mark, MoveMark):
@@ -205,17 +221,28 @@ class Studio(QObject):
 
     def redo(self) -> None:
         """Do again what was undone last. A pick's examples come back; its node is not put anywhere."""
-        if self.document.history.can_redo and not self._undoing:
+        if self.document.history.can_redo and not self._undo_ticket:
             edit = self.document.redo()
             if isinstance(edit.mark, MoveMark):
                 self.bridge.send(RedoMove(edit.mark.moved.number))
 
     def _event_came(self, event: object) -> None:
-        if self._undoing and isinstance(event, TakenBack | Refused):
-            self._undoing = False
-            if isinstance(event, Refused):  # the lesson is over: its examples can be undone all the same
-                self.bridge.forget_picks()
-                self.undo()
+        if isinstance(event, Refused) and self._undo_ticket and event.ticket == self._undo_ticket:
+            self.bridge.forget_picks()  # their lesson is over: its examples can be undone all the same
+            self._undo_ticket = 0
+            self.undo()
+            self._undo_next()
+
+    def _snapshot_changed(self, snapshot: Snapshot) -> None:
+        if self._undo_ticket and snapshot.acknowledged >= self._undo_ticket:
+            self._undo_ticket = 0
+            self._undo_next()
+
+    def _undo_next(self) -> None:
+        """Go on with what was asked for while the session was busy with a pick."""
+        while self._undos_waiting and not self._undo_ticket:
+            self._undos_waiting -= 1
+            self.undo()
 
     # --------------------------------------------------------------------------------------------- telling
 
@@ -223,9 +250,9 @@ class Studio(QObject):
         """Tell the user something that is good to know."""
         self.said.emit(Message(text))
 
-    def warn(self, text: str) -> None:
-        """Tell the user that something was not possible."""
-        self.said.emit(Message(text, Kind.WARNING))
+    def warn(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
+        """Tell the user that something was not possible, and what can be done about it."""
+        self.said.emit(Message(text, Kind.WARNING, answers))
 
     def attempt(self, act: Callable[[], object]) -> bool:
         """Do something that may fail for reasons the user can mend, which are then told."""

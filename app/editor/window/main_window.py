@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
 
 from ..actions import MENUS, ActionRow, when_open
 from ..canvas.view import WorldCanvas
+from ..documents.busy import BusyPage
 from ..documents.files import Files
 from ..documents.welcome import WelcomePage
+from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks
 from .messages import MessageBar
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
@@ -59,14 +61,18 @@ class MainWindow(QMainWindow):
         )
         self.canvas = WorldCanvas(studio)
         self.welcome = WelcomePage(studio)
+        self.welcome.chosen.connect(self.files.open)
+        self.busy = BusyPage(self.files)
         self._pages = QStackedWidget()
         self._pages.addWidget(self.welcome)
+        self._pages.addWidget(self.busy)
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
         self.resize(SIZE)
         self.docks = place_docks(self, studio)
         studio.actions.add(self._dock_rows())
         self.toolbar = Toolbar(studio, self.speed)
+        self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
         self.addToolBar(self.toolbar)
         self.setStatusBar(StatusBar(studio))
         self.messages = MessageBar(studio, self._pages)
@@ -76,8 +82,11 @@ class MainWindow(QMainWindow):
         studio.opened.connect(self._opened)
         studio.document.history_changed.connect(self._titled)
         studio.show_panel.connect(self.show_panel)
+        self.files.waiting.connect(self._waiting)
         self._restore()
         self._opened()
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocus()  # rather than a field, which would take keys that are shortcuts
 
     # ----------------------------------------------------------------------------------------- docks, menus
 
@@ -149,6 +158,12 @@ class MainWindow(QMainWindow):
 
     # ------------------------------------------------------------------------------------------ the project
 
+    def _waiting(self, text: str) -> None:
+        standard = self.canvas if self.studio.is_open else self.welcome
+        self._pages.setCurrentWidget(self.busy if text else standard)
+        if text:
+            self.busy.cancel.setFocus()
+
     def _opened(self) -> None:
         is_open = self.studio.is_open
         self._pages.setCurrentWidget(self.canvas if is_open else self.welcome)
@@ -164,7 +179,8 @@ class MainWindow(QMainWindow):
     def _titled(self) -> None:
         document = self.studio.document
         name = document.project.name
-        self.setWindowTitle(f"{name}[*] – Understudy" if name else "Understudy")
+        only = " (read-only)" if document.read_only else ""
+        self.setWindowTitle(f"{name}[*]{only} – Understudy" if name else "Understudy")
         self.setWindowModified(self.studio.is_open and not document.is_saved)
 
     # ------------------------------------------------------------------------------------------- the window

@@ -279,6 +279,6 @@ def teach_rows() -> tuple[ActionRow, ...]:
             keys="Esc",
             tip="Let the arm run what it runs; what was taught stays",
             icon="close",
-            enabled=lambda studio: studio.teaching.is_teaching,
+            enabled=lambda studio: studio.teaching.is_teaching or studio.teaching.choosing.is_busy,
         ),
     )

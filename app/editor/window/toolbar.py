@@ -108,7 +108,7 @@ class Toolbar(QToolBar):
         self._add("edit.redo")
         self.spacer = QWidget()
         self.spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.before_arm = self.addWidget(self.spacer)
+        self.addWidget(self.spacer)
         self._add_arm()
         studio.bridge.snapshot_changed.connect(self._snapshot_changed)
         studio.changed.connect(self._refresh)
@@ -160,7 +160,7 @@ class Toolbar(QToolBar):
         self.arm.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.arm.setMaximumWidth(220)
         self.arm.activated.connect(lambda _: self._studio.use_arm(self.arm.currentData()))
-        self.addWidget(self.arm)
+        self.before_arm = self.addWidget(self.arm)
 
     def _reset(self) -> None:
         text = self.seed.text().strip()

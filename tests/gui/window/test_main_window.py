@@ -50,6 +50,7 @@ def test_an_edit_is_undone_and_redone_by_keys(window: MainWindow, qtbot: QtBot) 
     document.do(note_project, "another note")
     after = document.project
     assert window.isWindowModified()
+    qtbot.waitUntil(window.studio.actions["edit.undo"].isEnabled)
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert document.project is before
     assert not window.isWindowModified()
