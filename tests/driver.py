@@ -5,6 +5,7 @@ and compares the two all the time. What the session refuses fails the test, unle
 """
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from app.core.automaton import Automaton, Basic, Content, Nested, RaiseFlag
@@ -180,10 +181,9 @@ class Driver:
         """What the session shows."""
         return self.session.snapshot()
 
-    def look(self) -> tuple[object, ...]:
+    def look(self) -> Snapshot:
         """All that a user sees, but the ticket."""
-        s = self.snapshot
-        return (s.tick, s.revision, s.mode, s.speed, s.seed, s.arm, s.world, s.nodes, s.measures, s.failure)
+        return replace(self.snapshot, acknowledged=0)
 
     @property
     def acts(self) -> list[str]:

@@ -141,32 +141,37 @@ class Course:
         """Pass ticks, unless a lesson waits for what it learns or for an answer, or the world has failed."""
         if self._stands_still or ticks < 1:
             return
-        first = self.tick
         try:
             self._pass(ticks if self._clock.going_to is None else min(ticks, self._clock.due))
         except UnderstudyError as error:
             self.fail(str(error))
-        self._clock.passed(self.tick - first)
 
     def _pass(self, ticks: int) -> None:
         lesson = self._lesson
         if lesson is None:
-            self._world.step(ticks, UNOBSERVED)
+            self._step(ticks, UNOBSERVED)
         elif not (self._answered or self._asking.looks_at(lesson)):
-            self._step(lesson, ticks)
+            self._step_lesson(lesson, ticks)
         else:
             while ticks and not self._ask_user(lesson):
-                self._step(lesson, 1)
+                self._step_lesson(lesson, 1)
                 ticks -= 1
 
-    def _step(self, lesson: Lesson, ticks: int) -> None:
+    def _step_lesson(self, lesson: Lesson, ticks: int) -> None:
         try:
-            self._world.step(ticks, lesson.control)
+            self._step(ticks, lesson.control)
         finally:
             lesson.ticked()
             for node_id in self._answered:
                 lesson.hand_back(node_id)
             self._answered.clear()
+
+    def _step(self, ticks: int, control: Control) -> None:
+        first = self.tick
+        try:
+            self._world.step(ticks, control)
+        finally:
+            self._clock.passed(self.tick - first)
 
     def _leaving(self, actor: Actor, state: str) -> None:
         if self._lesson is not None:
