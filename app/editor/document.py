@@ -1,6 +1,7 @@
 """The project that is open, with its history: the one place where the window changes it."""
 
 from collections.abc import Callable
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,9 @@ class Document(QObject):
         scenario: What the project lives in.
         folder: Where it is kept; None before it was saved for the first time.
         revision: Grows with every change.
+        read_only: Whether saving is to ask for another folder.
+        saving: Whether it is being saved just now.
+        autosaved: When unsaved work was kept last; None while nothing unsaved is kept.
 
     Signals:
         opened: Another project was opened.
@@ -41,6 +45,9 @@ class Document(QObject):
         self.scenario = scenario
         self.folder = folder
         self.revision = 0
+        self.read_only = False
+        self.saving = False
+        self.autosaved: datetime | None = None
         self._types: tuple[Project, Types] | None = None
 
     def begin(self, project: Project, scenario: Scenario, folder: Path | None, *, saved: bool = True) -> None:
@@ -54,6 +61,7 @@ class Document(QObject):
             self._history.mark_unsaved()
         self.scenario, self.folder = scenario, folder
         self._types = None
+        self.read_only, self.autosaved = False, None
         self.revision += 1
         self.opened.emit()
         self.history_changed.emit()

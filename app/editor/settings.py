@@ -1,6 +1,7 @@
 """What the user set for the program as a whole, kept in a file of the user's configuration."""
 
 from collections.abc import Mapping
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +22,15 @@ class Settings(QObject):
 
     changed = Signal(str)
 
-    def __init__(self, path: Path) -> None:
-        """Settings kept in the file *path*; one that does not exist means all defaults."""
+    def __init__(self, path: Path, state: Path | None = None) -> None:
+        """Settings kept in the file *path*; one that does not exist means all defaults.
+
+        Args:
+            state: The folder for what is kept from one start to the next without being a setting, such as unsaved work;
+                one beside the file if it is not given.
+        """
         super().__init__()
+        self.state = state or path.parent / "state"
         self._stored = QSettings(str(path), QSettings.Format.IniFormat)
 
     @property
@@ -60,14 +67,40 @@ class Settings(QObject):
         found = self._stored.value("recent", [])
         return tuple(Path(str(path)) for path in (found if isinstance(found, list) else [found]) if path)
 
+    @property
+    def recent_times(self) -> Mapping[Path, str]:
+        """When the recent projects were opened or saved last, in ISO form."""
+        found = self._stored.value("recent_times", [])
+        times = [str(time) for time in (found if isinstance(found, list) else [found])]
+        return dict(zip(self.recent, times, strict=False))
+
     def remember(self, folder: Path) -> None:
         """Put a folder first among the recent ones."""
-        rest = [str(path) for path in self.recent if path != folder]
-        self._set("recent", [str(folder), *rest][:MOST_RECENT])
+        times = self.recent_times
+        now = datetime.now().astimezone().isoformat(timespec="seconds")
+        self._keep_recent(
+            [(folder, now), *((path, times.get(path, "")) for path in self.recent if path != folder)]
+        )
 
     def forget(self, folder: Path) -> None:
         """Take a folder out of the recent ones."""
-        self._set("recent", [str(path) for path in self.recent if path != folder])
+        times = self.recent_times
+        self._keep_recent([(path, times.get(path, "")) for path in self.recent if path != folder])
+
+    def _keep_recent(self, entries: list[tuple[Path, str]]) -> None:
+        entries = entries[:MOST_RECENT]
+        self._stored.setValue("recent_times", [time for _, time in entries])
+        self._set("recent", [str(path) for path, _ in entries])
+
+    @property
+    def projects_folder(self) -> Path:
+        """Where the user keeps projects."""
+        found = str(self._stored.value("projects_folder", ""))
+        return Path(found) if found and Path(found).is_dir() else Path.home()
+
+    @projects_folder.setter
+    def projects_folder(self, folder: Path) -> None:
+        self._set("projects_folder", str(folder))
 
     @property
     def keys(self) -> Mapping[str, str]:

@@ -47,9 +47,14 @@ def paint_world(brush: Brush, world: WorldView, room: QRectF) -> None:
     brush.text(room.left() + 17, room.top() + 31, caption, color=brush.colors.dim, room=room.width() - 17)
     scale = min(room.width() / world.width, room.height() / world.height)
     ground = QRectF(room.left(), room.top() + CAPTION, world.width * scale, world.height * scale)
-    _paint_ground(brush, ground)
+    paint_ground(brush, world, ground)
+
+
+def paint_ground(brush: Brush, world: WorldView, ground: QRectF) -> None:
+    """The world alone, so that it fills *ground*, which has its proportions."""
+    _paint_grid(brush, ground)
     with brush.clipped(ground):
-        _paint_things(brush, View(world, ground, scale))
+        _paint_things(brush, View(world, ground, ground.width() / world.width))
 
 
 def _paint_things(brush: Brush, view: View) -> None:
@@ -62,7 +67,7 @@ def _paint_things(brush: Brush, view: View) -> None:
         _paint_count(brush, body, view)
 
 
-def _paint_ground(brush: Brush, ground: QRectF) -> None:
+def _paint_grid(brush: Brush, ground: QRectF) -> None:
     brush.fill(brush.colors.canvas)
     brush.painter.drawRect(ground)
     brush.pen(brush.colors.grid)

@@ -76,7 +76,13 @@ class StatusBar(QStatusBar):
     def _saved_words(self) -> str:
         if not self._studio.is_open:
             return ""
-        return "saved" if self._studio.document.is_saved else "unsaved changes"
+        document = self._studio.document
+        if document.saving:
+            return "saving…"
+        if document.is_saved:
+            return "saved" if document.folder is not None else "not saved yet"
+        kept = "" if document.autosaved is None else f" · autosaved {document.autosaved:%H:%M}"
+        return f"unsaved changes{kept}"
 
 
 def ago(seconds: float) -> str:
