@@ -6,7 +6,9 @@ import pytest
 
 from app.core.library import Library
 from app.core.project import Arm, LevelTable, Project, Value
+from app.engine import keyframes
 from app.engine.commands import (
+    GoTo,
     MoveEntity,
     Others,
     Pick,
@@ -84,3 +86,27 @@ def test_a_session_gives_the_same_with_the_compiled_engine_as_with_the_reference
     for mine, theirs in zip(seen, as_compiled, strict=True):
         assert mine == theirs
     assert len(project.examples_of(AGENT, "w")) >= 6
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("physics", ["kinematic", "rigid"])
+def test_the_past_of_a_compiled_run_is_gone_back_in_exactly(
+    physics: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keyframes, "SPACING", 100)
+    settings: dict[str, Value] = {"engine": "compiled", "world.pullers": 2, "physics": physics}
+    session = Session(foragers(), scenario, "groups", 5, settings=settings)
+    seen = {0: session.snapshot()}
+    for tick in range(50, 801, 50):
+        if tick == 450:
+            session.send(MoveEntity(0, 50.0, 60.0))
+        seen[tick] = session.advance(50)
+    for tick in (50, 750, 400, 450, 500, 100, 800, 0, 650):
+        session.send(GoTo(tick))
+        if session.due:
+            session.advance(1_000)
+        there = session.snapshot()
+        if tick == 400:  # the move comes before this tick passes
+            assert there.columns["x"][0] == 50.0
+        else:
+            assert replace(there, acknowledged=0) == replace(seen[tick], acknowledged=0)
