@@ -159,9 +159,9 @@ class Teaching(QObject):
         if not nodes:
             self._refuse_without_nodes(key)
             return
-        self._studio.selection.select_nodes(nodes)
         if self._is_going_on(key, nodes):
             return
+        self._studio.selection.select_nodes((*nodes[1:], nodes[0]))  # panels show the last, whose turn it is
         self._studio.show_panel.emit("teach")
         self._then_teach = bool(self._missing(key))
         if self._then_teach:
@@ -249,7 +249,9 @@ class Teaching(QObject):
         at = nodes.index(self.node) if self.node in nodes else -1
         turn = nodes[(at + 1) % len(nodes)]
         rest = [node for node in self._studio.selection.nodes if node != turn]
+        self._turn = turn
         self._studio.selection.select_nodes((*rest, turn))
+        self.changed.emit()
         self.follow_requested.emit(turn)
 
     # ------------------------------------------------------------------------------------------- inside
@@ -271,7 +273,8 @@ class Teaching(QObject):
 
     def _is_going_on(self, key: BehaviorKey, nodes: tuple[str, ...]) -> bool:
         lesson = self.lesson
-        return lesson is not None and not lesson.testing and self.key == key and lesson.plan.nodes == nodes
+        same = lesson is not None and self.key == key and set(lesson.plan.nodes) == set(nodes)
+        return lesson is not None and same and not lesson.testing
 
     def _missing(self, key: BehaviorKey) -> tuple[str, ...]:
         """Parameters of an automaton for which no target that exists was chosen."""
