@@ -74,12 +74,11 @@ def badges(row: Row, fit: Fit | None) -> Iterator[Badge]:
         yield Badge(f"raises {flag}", f"Raises the flag {flag!r} on the automaton that holds it")
 
 
-def counts(row: Row, *, wordy: bool) -> Iterator[Badge]:
+def counts(row: Row) -> Iterator[Badge]:
     """The number of examples, at the right."""
     if row.examples or row.disabled:
         many = "example" if row.examples == 1 else "examples"
-        text = f"{row.examples} {many}" if wordy else str(row.examples)
-        yield Badge(text, f"{row.examples} {many}, {row.disabled} disabled", boxed=False)
+        yield Badge(str(row.examples), f"{row.examples} {many}, {row.disabled} disabled", boxed=False)
 
 
 def links(row: Row) -> Iterator[Badge]:
@@ -101,14 +100,14 @@ class Placed:
     rect: QRect
 
 
-def layout(row: Row, fit: Fit | None, rect: QRect, *, selected: bool) -> tuple[QRect, list[Placed]]:
+def layout(row: Row, fit: Fit | None, rect: QRect) -> tuple[QRect, list[Placed]]:
     """Where the name stands, and the badges for which there is room; the name goes first."""
     metrics = QFontMetrics(text_font())
     small = QFontMetrics(text_font(CAPTION))
     left = rect.left() + SWATCH + 2 * GAP
     name = metrics.horizontalAdvance(row.shown) + 4
     at, end, placed = left + name + GAP, rect.right() - GAP, list[Placed]()
-    for badge in (*counts(row, wordy=selected), *badges(row, fit), *links(row)):
+    for badge in (*counts(row), *badges(row, fit), *links(row)):
         width = small.horizontalAdvance(badge.text) + (2 * PAD if badge.boxed else 0)
         if at + width > end:
             continue
@@ -164,7 +163,7 @@ class BehaviorDelegate(QStyledItemDelegate):
         if selected or hovered:
             painter.fillRect(whole, mixed(colors.accent, colors.panel, 0.78 if selected else 0.92))
         self._paint_swatch(painter, rect, self._studio.colors.color(row.key.type, row.key.id))
-        name, placed = layout(row, fit, rect, selected=selected)
+        name, placed = layout(row, fit, rect)
         painter.setFont(text_font())
         painter.setPen(QColor(colors.text))
         elided = painter.fontMetrics().elidedText(row.shown, Qt.TextElideMode.ElideRight, name.width())
@@ -208,8 +207,7 @@ class BehaviorDelegate(QStyledItemDelegate):
         row = index.data(ROW)
         if row is None:
             return None
-        selected = index in self._view.selectionModel().selectedIndexes()
-        _, placed = layout(row, index.data(FIT), rect, selected=selected)
+        _, placed = layout(row, index.data(FIT), rect)
         return next((each for each in placed if each.rect.contains(spot)), None)
 
     def helpEvent(
@@ -227,6 +225,12 @@ class BehaviorDelegate(QStyledItemDelegate):
         editor = QLineEdit(parent)
         editor.setAccessibleName("Name of the behavior")
         return editor
+
+    def setEditorData(self, editor: QWidget, index: Index) -> None:
+        """The name at first; what is typed later stays, though facts of the row change meanwhile."""
+        if isinstance(editor, QLineEdit) and not editor.property("filled"):
+            editor.setProperty("filled", True)
+            editor.setText(str(index.data(Qt.ItemDataRole.EditRole)))
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, _index: Index) -> None:
         """From the name to the end of the row."""

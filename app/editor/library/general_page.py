@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from ...core.edits import rename_automaton, rename_parameter, set_note, set_parameters
 from ...core.naming import fresh_name
 from .editing import Editing
-from .parts import Complaint, Item, OrderedList, caption
+from .parts import Complaint, Item, OrderedList, caption, framed
 
 FIRST_PARAMETER = "X"
 
@@ -61,12 +61,14 @@ class GeneralPage(QWidget):
         self.parameters.renamed.connect(self._rename)
         self.add = QPushButton("Add parameter")
         self.add.setToolTip("A target that whoever uses the behavior chooses, such as where to go")
+        self.add.setAutoDefault(False)
         self.add.clicked.connect(self._add)
         self.parameter_trouble = Complaint(theme)
         self.note = QPlainTextEdit()
         self.note.setAccessibleName("Note on the behavior")
         self.note.setToolTip("What the behavior is for; it shows in the library's tips")
         self.note.setTabChangesFocus(True)
+        framed(self.note, theme)
         self.note.textChanged.connect(self._note_typed)
         self._lay_out(bool(types))
         editing.changed.connect(self.refresh)

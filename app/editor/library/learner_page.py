@@ -73,7 +73,7 @@ class LearnerPage(QWidget):
             self.sampling.addItem(words, value)
             self.sampling.setItemData(self.sampling.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.sampling.setToolTip("How the next state is chosen where examples disagree")
-        self.sampling.activated.connect(lambda _: self._set(sampling=self.sampling.currentData()))
+        self.sampling.activated.connect(lambda _: self._set(sampling=Sampling(self.sampling.currentData())))
         self._make_pruning()
         self.trouble = Complaint(editing.studio.theme)
         self.accuracy = QLabel()

@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.edits import add_automaton, describe, rename_automaton
@@ -112,6 +113,13 @@ class NewAutomatonDialog(QDialog):
         name = self.general.name.text().strip() or (automaton.name if automaton else "")
         taken = self._studio.document.project.library(type_name).by_name(name) is not None
         self._begin(type_name, "" if taken else name)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter makes the behavior from its name on; elsewhere it ends what is typed. Ctrl+Enter does from anywhere."""
+        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            super().keyPressEvent(event)
+        elif self.general.name.hasFocus() or event.modifiers() == Qt.KeyboardModifier.ControlModifier:
+            self.accept()
 
     def accept(self) -> None:
         """Make the behavior, as one step, and show it."""

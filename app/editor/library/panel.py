@@ -184,8 +184,11 @@ class LibraryPanel(QWidget):
 
     def _current_changed(self, index: QModelIndex) -> None:
         row = self._row(index)
-        if row is not None and row.is_automaton and not self._selecting:
-            self._studio.selection.select_behavior(BehaviorKey(row.key.type, row.key.id))
+        if row is None or not row.is_automaton or self._selecting:
+            return
+        key = BehaviorKey(row.key.type, row.key.id)
+        if key != self._studio.selection.behavior:  # otherwise the state that is shown stays
+            self._studio.selection.select_behavior(key)
 
     def _row(self, index: QModelIndex) -> Row | None:
         return self.model.row(self.shown.mapToSource(index))

@@ -31,6 +31,22 @@ if TYPE_CHECKING:
 KEY = int(Qt.ItemDataRole.UserRole)
 
 
+def framed(field: QWidget, theme: Theme) -> None:
+    """Draw a line around a list or a text, so that an empty one is seen as well."""
+
+    def dress() -> None:
+        colors = theme.palette
+        kind = type(field).__mro__[1 if type(field).__module__ == __name__ else 0].__name__
+        field.setStyleSheet(
+            f"{kind} {{ background: {colors.raised}; border: 1px solid {colors.hairline}; border-radius: 6px; }}"
+            f"{kind}:focus {{ border-color: {colors.accent}; }}"
+        )
+
+    theme.changed.connect(dress)
+    field.destroyed.connect(lambda: theme.changed.disconnect(dress))
+    dress()
+
+
 class Complaint(QLabel):
     """What is wrong with a field, in words beside it; nothing while nothing is."""
 
@@ -96,6 +112,8 @@ class OrderedList(QWidget):
         self._filling = False
         self.list = _List(self)
         self.list.setAccessibleName(name)
+        self.list.setSpacing(1)
+        framed(self.list, theme)
         self.list.currentItemChanged.connect(self._current_changed)
         self.list.itemChanged.connect(self._item_changed)
         self.up = self._button("arrow-up", f"Move up (Alt+Up): {name}", lambda: self.shift(-1))

@@ -122,7 +122,7 @@ class SourceForm(QWidget):
         if sort is Sort.SENSE:
             return source
         assert isinstance(source, Sense | FlagUp)
-        return Statistic(self.operation.currentData(), source, self.over.currentData())
+        return Statistic(Operation(self.operation.currentData()), source, Over(self.over.currentData()))
 
     def _slots(self) -> tuple[str, ...]:
         choice = self.what.choice
