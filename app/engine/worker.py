@@ -66,7 +66,6 @@ class Worker(Generic[Asked, Answered]):
 
     def _give_up(self) -> None:
         if self._open is not None:
-            _, future, stop = self._open
+            (_, future, stop), self._open = self._open, None  # first, since cancelling tells whoever waits
             stop.set()
             future.cancel()
-            self._open = None
