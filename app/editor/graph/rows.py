@@ -77,7 +77,7 @@ def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Behavior",
             lambda _: panel.toggle(),
             "graph",
-            "Ctrl+E",
+            "Ctrl+Shift+E",
             "Show the automaton of the selected state inside it, or close it again",
             "arrow-expand-vertical",
             has_nested,
