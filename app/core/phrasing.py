@@ -128,8 +128,8 @@ CAPTION = Who()
 
 
 def said_of(who: Who, phrase: str) -> str:
-    """*phrase* with its subject: "it sees a box", "it is within 5 of deposit", "someone's box is full"."""
-    if not who.words:
+    """*phrase* with its subject: "it sees a box", "it is within 5 of deposit"; nothing of nothing."""
+    if not who.words or not phrase:
         return phrase
     first, _, rest = phrase.partition(" ")
     if first == "its":
@@ -213,6 +213,7 @@ def for_people(feature: Feature, value: float) -> float:
     return degrees(value) if in_degrees(feature) else value
 
 
-def unit_of(feature: Feature) -> str:
-    """The unit in which people read a feature."""
-    return "degrees" if in_degrees(feature) else feature.unit
+def unit_of(feature: Feature, told: str = "") -> str:
+    """The unit in which people read a feature; of one, in the singular."""
+    unit = "degrees" if in_degrees(feature) else feature.unit
+    return unit.removesuffix("s") if told in ("1", "-1") else unit

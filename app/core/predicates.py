@@ -55,6 +55,11 @@ def is_of_nobody(feature: Feature, value: float) -> bool:
     return value == feature.default and _is_beyond(feature)
 
 
+def wants_nobody(feature: Feature, span: Span) -> bool:
+    """Whether only the value that says that there is no target passes."""
+    return isinstance(span, Between) and _is_beyond(feature) and span.low >= ALMOST * feature.default
+
+
 def _boolean(feature: Feature, slots: Mapping[str, str], *, wanted: bool) -> str:
     return filled(feature.phrases.true if wanted else feature.phrases.false, slots)
 
@@ -173,7 +178,7 @@ def _with_unit(feature: Feature, value: float) -> str:
 
 
 def _united(feature: Feature, told: str) -> str:
-    unit = unit_of(feature)
+    unit = unit_of(feature, told)
     return f"{told} {unit}" if unit else told
 
 

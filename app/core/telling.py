@@ -18,7 +18,7 @@ from .features import (
     declaration,
 )
 from .phrasing import CAPTION, Who, number, said_of
-from .predicates import is_of_nobody, is_true, named, predicate, reading
+from .predicates import is_of_nobody, is_true, named, predicate, reading, wants_nobody
 from .spans import Between, Is, Span
 from .vocabulary import DONE, FAILED, FINISHED, Feature, FeatureKind, Vocabulary
 
@@ -106,6 +106,15 @@ class Telling:
                 words = self._amount(operation, statistic, value)
         return words or named(self._use.shown, self._feature, Is(value), clause=self._speech.clause)
 
+    @property
+    def targets(self) -> Bindings:
+        """Whom it is sensed of; nobody in particular where this is empty."""
+        return self._use.source.bindings if isinstance(self._use.source, Sense) else {}
+
+    def wants_nobody(self, span: Span) -> bool:
+        """Whether it is to be as it is only where there is no target."""
+        return isinstance(self._use.source, Sense) and wants_nobody(self._feature, span)
+
     def is_of_nobody(self, value: float) -> bool:
         """Whether a value says that there is no target."""
         return isinstance(self._use.source, Sense) and is_of_nobody(self._feature, value)
@@ -145,13 +154,19 @@ class Telling:
         match statistic.operation, span:
             case ((Operation.ANY | Operation.ALL), _) if says := self._says(statistic, Is(1.0)):
                 return said_of(crowd.some_or_all(statistic.operation, wanted=is_true(span)), says)
-            case Operation.COUNT, Between(low, high) if says := self._says(statistic, Is(1.0)):
+            case Operation.COUNT, Between(low, high) if says := self._shows(statistic):
                 return said_of(crowd.so_many(low, high), says)
             case ((Operation.MIN | Operation.MAX), Between(low, high)):
                 return self._extreme(statistic, crowd, low, high)
             case Operation.MEAN, Between():
                 return self._mean(statistic, crowd, span)
         return ""
+
+    def _shows(self, statistic: Statistic) -> str:
+        """What those are who count; empty unless that is something that one either is or is not."""
+        inner = self._inner(statistic)
+        either = isinstance(statistic.of, FlagUp) or (inner is not None and inner.kind is FeatureKind.BOOLEAN)
+        return self._says(statistic, Is(1.0)) if either else ""
 
     def _says(self, statistic: Statistic, span: Span) -> str:
         """What each of those below is to be."""
@@ -180,9 +195,10 @@ class Telling:
     def _mean(self, statistic: Statistic, crowd: "_Crowd", span: Between) -> str:
         """A share of those below, or what they are on average."""
         inner = self._inner(statistic)
-        if inner is None or inner.kind is FeatureKind.BOOLEAN:
-            says = self._says(statistic, Is(1.0))
-            return said_of(crowd.share(span.low, span.high), says) if says else ""
+        if shows := self._shows(statistic):
+            return said_of(crowd.share(span.low, span.high), shows)
+        if inner is None:
+            return ""
         says = self._says(statistic, span) if inner.kind is FeatureKind.CONTINUOUS else ""
         return said_of(crowd.average(), says) if says else ""
 
@@ -194,7 +210,7 @@ class Telling:
         """What a statistic that is a number is now; empty if there are no words for it."""
         crowd = _Crowd(statistic.over, self._speech.group)
         inner = self._inner(statistic)
-        if operation is Operation.COUNT and (says := self._says(statistic, Is(1.0))):
+        if operation is Operation.COUNT and (says := self._shows(statistic)):
             return said_of(crowd.just(value), says)
         if operation is Operation.MEAN and inner is not None and inner.kind is FeatureKind.CONTINUOUS:
             bindings = statistic.of.bindings if isinstance(statistic.of, Sense) else {}
@@ -255,7 +271,8 @@ class _Crowd:
         return self._placed(f"{' and '.join(words)} of {whom}", many=True)
 
     def average(self) -> Who:
-        return self._placed("the agents on average", many=True)
+        placed = self._placed("the agents", many=True)
+        return Who(f"{placed.words} on average", many=True)
 
     def _placed(self, words: str, *, many: bool = False) -> Who:
         if not self.group:

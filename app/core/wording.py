@@ -12,7 +12,7 @@ from .features import FeatureUse, Sense
 from .hierarchy import Node
 from .library import Library
 from .naming import shown_content, shown_state
-from .phrasing import for_people, number, unit_of
+from .phrasing import for_people, in_degrees, number, unit_of
 from .predicates import category
 from .spans import spans
 from .telling import CAPTIONS, Speech, Telling, declared
@@ -48,14 +48,23 @@ def condition_words(
 
 
 def guard_words(guard: Guard, automaton: Automaton, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> str:
-    """A conjunction of tests, those of one feature taken together; "always" if there are none."""
+    """A conjunction of tests, those of one feature taken together; "always" if there are none.
+
+    Where there is to be no target, what other features say of it is a matter of course, and left out.
+    """
 
     def period(feature_id: str) -> float:
         return declared(feature_of(automaton, feature_id), vocabulary).period
 
-    said = [
-        Telling(feature_of(automaton, feature_id), vocabulary, speech).test(span)
+    wanted = [
+        (Telling(feature_of(automaton, feature_id), vocabulary, speech), span)
         for feature_id, span in spans(guard, period)
+    ]
+    lost = [telling.targets for telling, span in wanted if telling.wants_nobody(span)]
+    said = [
+        telling.test(span)
+        for telling, span in wanted
+        if telling.wants_nobody(span) or not telling.targets or telling.targets not in lost
     ]
     return " and ".join(dict.fromkeys(said)) or "always"
 
@@ -67,8 +76,9 @@ def value_words(use: FeatureUse, value: float, vocabulary: Vocabulary) -> str:
         return "yes" if value else "no"
     if feature.kind is FeatureKind.CATEGORICAL:
         return category(feature, value)
-    told, unit = number(for_people(feature, value)), unit_of(feature)
-    return told + ("°" if unit == "degrees" else f" {unit}" if unit else "")
+    told = number(for_people(feature, value))
+    unit = unit_of(feature, told)
+    return told + ("°" if in_degrees(feature) else f" {unit}" if unit else "")
 
 
 def reading_words(use: FeatureUse, value: float, vocabulary: Vocabulary, speech: Speech = CAPTIONS) -> str:
@@ -80,13 +90,12 @@ def readings(
     uses: Iterable[FeatureUse], values: Mapping[str, float], vocabulary: Vocabulary, speech: Speech = CAPTIONS
 ) -> list[str]:
     """What several features say now; where one says that there is no target, what others say of it means nothing."""
-    uses = [use for use in uses if use.id in values]
-    nobody = [use for use in uses if Telling(use, vocabulary).is_of_nobody(values[use.id])]
-    lost = [use.source.bindings for use in nobody if isinstance(use.source, Sense)]
+    told = [(Telling(use, vocabulary, speech), values[use.id]) for use in uses if use.id in values]
+    lost = [telling.targets for telling, value in told if telling.is_of_nobody(value)]
     return [
-        reading_words(use, values[use.id], vocabulary, speech)
-        for use in uses
-        if use in nobody or not (isinstance(use.source, Sense) and use.source.bindings in lost)
+        telling.value(value)
+        for telling, value in told
+        if telling.is_of_nobody(value) or not telling.targets or telling.targets not in lost
     ]
 
 
