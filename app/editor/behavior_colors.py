@@ -48,6 +48,11 @@ class BehaviorColors(QObject):
         self._by_name = kept
         self.changed.emit()
 
+    @property
+    def count(self) -> int:
+        """The first place from which on `nth_color` gives colors that no automaton has."""
+        return max(self._by_name.values(), default=-1) + 1
+
     def color(self, type_name: str, automaton_id: str) -> QColor:
         """The color of an automaton; grey for a basic behavior."""
         name = self._names.get((type_name, automaton_id))

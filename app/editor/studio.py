@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ..core.errors import UnderstudyError
 from ..core.project import Arm, Project, Value
-from ..engine.commands import RedoMove, UseArm, Watch
+from ..engine.commands import RedoMove, UseArm
 from ..engine.scenarios import open_scenario
 from ..engine.snapshots import Mode, Refused, Snapshot
 from ..sim.scenario import Scenario
@@ -22,6 +22,7 @@ from .selection import BehaviorKey, Selection
 from .settings import Settings
 from .teach.teaching import Teaching
 from .theme import Theme
+from .watching import Watching
 
 #: Of so many selected nodes, the last ones, snapshots show what they are about to decide.
 MOST_WATCHED = 8
@@ -55,6 +56,7 @@ class Studio(QObject):
         document: The project that is open, with its history.
         bridge: The engine.
         selection: What the user looks at.
+        watching: Which nodes snapshots explain.
         colors: Who has which color.
         actions: All that can be done.
         teaching: Who is taught what, and testing it.
@@ -83,6 +85,7 @@ class Studio(QObject):
         self.document = Document(_NOTHING, open_scenario(_NOTHING))
         self.bridge = Bridge(self.document)
         self.selection = Selection()
+        self.watching = Watching(self.bridge)
         self.colors = BehaviorColors()
         self.actions = Actions(self)
         self.relearning = Relearning(self.document, settings)
@@ -90,7 +93,6 @@ class Studio(QObject):
         self._undo_ticket = self._undos_waiting = 0
         self._arm = ""
         self._settings: Mapping[str, Value] = {}
-        self._watched: tuple[str, ...] = ()
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self._refresh)
         self._connect()
@@ -188,16 +190,13 @@ class Studio(QObject):
 
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
-        self._watched = ()
         self._undo_ticket = self._undos_waiting = 0
         self._watch()
+        self.watching.begin()
 
     def _watch(self) -> None:
         """Have snapshots show what the selected nodes, and the one that is taught, are about to decide."""
-        nodes = tuple(filter(None, dict.fromkeys((*self.selection.nodes[-MOST_WATCHED:], self.teaching.node))))
-        if nodes != self._watched:
-            self._watched = nodes
-            self.bridge.send(Watch(nodes))
+        self.watching.want("studio", (*self.selection.nodes[-MOST_WATCHED:], self.teaching.node))
 
     # ------------------------------------------------------------------------------------- undo and redo
 
