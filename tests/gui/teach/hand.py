@@ -131,9 +131,14 @@ class Hand:
         self.settle()
 
     def pick(self, name: str) -> None:
-        """Click the button that says *name*."""
+        """Click the button that says *name*; where there is no room for it, find it in the list."""
         button = next(b for b in self.page.buttons.values() if b.text().rstrip("…") == name)
-        self.act(lambda: self.click(button))
+        if button.isVisible():
+            self.act(lambda: self.click(button))
+            return
+        self.click(self.page.add)
+        self.qtbot.keyClicks(self.page.list.search, name)
+        self.act(lambda: self.qtbot.keyClick(self.page.list.search, Qt.Key.Key_Return))
 
     def hold(self, ticks: int) -> None:
         """Hold the key that passes single ticks until so many have passed."""
