@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from ...core.edits import delete_automaton, users
 from ...core.vocabulary import BasicBehavior
+from ..forms.choosing import Choice, Chooser
 from ..selection import BehaviorKey
-from .choosing import Choice, Chooser
 
 if TYPE_CHECKING:
     from ..studio import Studio

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, 
 from ...core.automaton import Automaton
 from ...core.edits import add_feature, drop_feature, move_feature, rebind_feature, rename_feature, tests_of
 from ...core.features import FeatureUse
+from ..forms.parts import Complaint, Item, OrderedList, caption
 from .editing import Editing
-from .parts import Complaint, Item, OrderedList, caption
 from .source_form import SourceForm
 
 FORCE = "Drop it, and the rules and prunes that test it"

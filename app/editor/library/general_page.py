@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from ...core.edits import rename_automaton, rename_parameter, set_note, set_parameters
 from ...core.naming import fresh_name
+from ..forms.parts import Complaint, Item, OrderedList, caption, framed
 from .editing import Editing
-from .parts import Complaint, Item, OrderedList, caption, framed
 
 FIRST_PARAMETER = "X"
 

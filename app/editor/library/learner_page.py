@@ -29,8 +29,8 @@ from ...learner.builder import LearningCancelled
 from ...learner.evaluation import BehaviorReport
 from ...learner.registry import METHODS, Option
 from ...learner.trainer import Key, learn, quiet
+from ..forms.parts import Complaint, caption
 from .editing import Editing
-from .parts import Complaint, caption
 
 #: The slider's confidence in percent, and where it begins when it is turned on (C4.5's own).
 MOST_PERCENT, USUAL_PERCENT = 50, 25

@@ -12,12 +12,12 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout
 from ...core.edits import add_automaton, describe, rename_automaton
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
+from ..forms.parts import Complaint
 from ..selection import BehaviorKey
 from .editing import DraftEditing
 from .features_page import FeaturesPage
 from .general_page import GeneralPage
 from .learner_page import LearnerPage
-from .parts import Complaint
 from .states_page import StatesPage
 
 if TYPE_CHECKING:

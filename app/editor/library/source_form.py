@@ -22,8 +22,8 @@ from ...core.features import (
     describe,
 )
 from ...core.vocabulary import STANDARD_FLAGS, Feature
-from .choosing import Choice, Chooser
-from .parts import SlotForm
+from ..forms.choosing import Choice, Chooser
+from ..forms.parts import SlotForm
 
 #: How a controller sums up, in words.
 OPERATIONS: Mapping[Operation, tuple[str, str]] = {

@@ -18,9 +18,9 @@ from ...core.features import Binding
 from ...core.library import known_flags
 from ...core.naming import shown_content, shown_state
 from ...core.vocabulary import FINISHED
-from .choosing import Choice, Chooser
+from ..forms.choosing import Choice, Chooser
+from ..forms.parts import Complaint, Item, OrderedList, SlotForm, caption
 from .editing import Editing
-from .parts import Complaint, Item, OrderedList, SlotForm, caption
 
 
 def choices(editing: Editing) -> list[Choice]:

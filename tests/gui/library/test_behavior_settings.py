@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from app.core.automaton import Automaton, Basic, Nested, Sampling
 from app.core.edits import delete_automaton
 from app.core.features import Ground, Operation, Over, Statistic
-from app.editor.library.choosing import Chooser
+from app.editor.forms.choosing import Chooser
 from app.editor.library.panel import LibraryPanel
 from app.editor.library.settings_dialog import BehaviorDialog, behavior_settings
 from app.editor.selection import BehaviorKey

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from app.core.automaton import Basic, Nested, RaiseFlag
 from app.core.edits import note_project
 from app.core.features import Ground, Parameter, Sense
-from app.editor.library.choosing import Chooser
+from app.editor.forms.choosing import Chooser
 from app.editor.library.new_automaton import NewAutomatonDialog
 from app.editor.library.panel import LibraryPanel
 from app.editor.selection import BehaviorKey
