@@ -209,12 +209,20 @@ def predicted(model: Tree | Forest) -> set[str]:
 
 
 def trimmed(automaton: Automaton) -> Automaton:
-    """*automaton* without the states that cannot be entered: what runs and what is exported (paper, section 3.1)."""
+    """*automaton* without the states that cannot be entered: what runs and what is exported (paper, section 3.1).
+
+    A rule of probability 0 to such a state stays, leading nowhere: whether its guard is met counts where a choice is held.
+    """
     kept = reachable(automaton)
+    rules = (
+        rule if rule.target in kept or rule.probability > 0 else replace(rule, target=rule.source)
+        for rule in automaton.rules
+        if rule.source in kept
+    )
     return replace(
         automaton,
         states=tuple(state for state in automaton.states if state.id in kept),
-        rules=tuple(rule for rule in automaton.rules if rule.source in kept and rule.target in kept),
+        rules=tuple(rule for rule in rules if rule.target in kept),
         learned={state_id: model for state_id, model in automaton.learned.items() if state_id in kept},
         prunes=tuple(prune for prune in automaton.prunes if prune.source in kept),
     )

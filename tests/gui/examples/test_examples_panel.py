@@ -5,6 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox
 from pytestqt.qtbot import QtBot
 
+from app.core.edits import relabel_examples, set_values
 from app.core.examples import Example
 from app.editor.examples.model import Column
 from app.editor.examples.panel import ExamplesPanel
@@ -23,7 +24,9 @@ def panel(window: MainWindow, qtbot: QtBot) -> ExamplesPanel:
     panel = window.docks["examples"].widget()
     assert isinstance(panel, ExamplesPanel)
     qtbot.waitUntil(lambda: panel.model.counts[1] == len(examples(window)), timeout=PATIENCE)
-    qtbot.waitUntil(lambda: panel.model.verdict(panel.model.example(0)) is not Verdict.UNKNOWN, timeout=PATIENCE)
+    qtbot.waitUntil(
+        lambda: panel.model.verdict(panel.model.example(0)) is not Verdict.UNKNOWN, timeout=PATIENCE
+    )
     return panel
 
 
@@ -39,10 +42,16 @@ def click(qtbot: QtBot, panel: ExamplesPanel, row: int, column: Column = Column.
     qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place(panel, row, column))
 
 
+def double_click(qtbot: QtBot, panel: ExamplesPanel, row: int, column: Column) -> None:
+    at, left = place(panel, row, column), Qt.MouseButton.LeftButton
+    qtbot.mouseClick(panel.table.viewport(), left, pos=at)
+    qtbot.mouseDClick(panel.table.viewport(), left, pos=at)
+
+
 def test_each_example_is_told_in_words(panel: ExamplesPanel) -> None:
     words = [panel.model.index(row, Column.WORDS).data() for row in range(panel.model.rowCount())]
     assert all(words)
-    assert panel.model.index(0, Column.SOURCE).data() == "Forward"
+    assert panel.model.index(0, Column.SOURCE).data() == "Start"
 
 
 def test_a_click_selects_an_example_and_asks_for_its_moment(
@@ -86,7 +95,7 @@ def test_a_switched_off_example_is_learned_without_in_the_background(
 def test_a_label_is_chosen_from_the_states_there_are(
     window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
 ) -> None:
-    qtbot.mouseDClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place(panel, 0, Column.LABEL))
+    double_click(qtbot, panel, 0, Column.LABEL)
     box = panel.table.viewport().findChild(QComboBox)
     assert isinstance(box, QComboBox)
     before = box.currentData()
@@ -96,7 +105,7 @@ def test_a_label_is_chosen_from_the_states_there_are(
 
 
 def test_a_weight_is_typed(window: MainWindow, panel: ExamplesPanel, qtbot: QtBot) -> None:
-    qtbot.mouseDClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place(panel, 0, Column.WEIGHT))
+    double_click(qtbot, panel, 0, Column.WEIGHT)
     box = panel.table.viewport().findChild(QDoubleSpinBox)
     assert isinstance(box, QDoubleSpinBox)
     box.selectAll()
@@ -121,20 +130,17 @@ def test_filters_narrow_the_table_and_are_cleared_at_once(panel: ExamplesPanel, 
 def test_a_conflict_is_marked_and_can_be_filtered_for(
     window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
 ) -> None:
-    first = panel.model.example(0)
-    other = next(s.id for s in panel.model.subject.automaton.states[1:] if s.id != first.label)  # type: ignore[union-attr]
-    from app.core.edits import relabel_examples
-
-    twins = [e.id for e in examples(window) if e.source == first.source and e.values == first.values]
-    if len(twins) < 2:
-        twins = [first.id, examples(window)[1].id]
-        from app.core.edits import set_values
-
-        window.studio.document.do(set_values, "agent", "wander", {i: dict(first.values) for i in twins})
-    window.studio.document.do(relabel_examples, "agent", "wander", twins[:1], other)
+    document = window.studio.document
+    first, second = [e for e in examples(window) if e.source == "forward"][:2]
+    document.do(set_values, "agent", "wander", {second.id: dict(first.values)})
+    document.do(relabel_examples, "agent", "wander", [first.id], "forward")
+    document.do(relabel_examples, "agent", "wander", [second.id], "rotate-left")
     qtbot.waitUntil(
-        lambda: panel.model.verdict(examples(window)[0]) is Verdict.CONFLICT, timeout=PATIENCE
+        lambda: panel.model.verdict(examples(window)[int(first.id) - 1]) is Verdict.CONFLICT, timeout=PATIENCE
     )
+    panel.filters.choose(panel.filters.verdict, Verdict.CONFLICT)
+    shown = {panel.model.example(row).id for row in range(panel.model.rowCount())}
+    assert {first.id, second.id} <= shown
 
 
 def test_sorting_by_what_was_learned_puts_the_worst_first(panel: ExamplesPanel) -> None:

@@ -161,7 +161,7 @@ def test_a_project_without_arms_has_nothing_to_run(
 
 
 def test_a_file_is_no_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "export.json"
+    file = tmp_path / "notes.txt"
     file.write_text("{}")
     assert main(["run", str(file)]) == 2
     assert f"{file}: this is a file; a project is a folder" in capsys.readouterr().err
