@@ -18,10 +18,11 @@ from ..core.machine_state import MachineState, freeze
 from ..core.naming import next_number
 from ..core.project import Project
 from ..core.storage.moments import moment_hash
-from ..sim.engine import Control, Engine
+from ..sim.engine import Control, Engine, Past
 from .acts import Act, part_of, past, put_back
 from .commands import Teach
 from .departures import Departure, Departures
+from .looking_back import LookBack
 from .moments import forest_hash, take
 from .plan import automaton_of, check_plan, is_taught_one, some, still_nodes
 from .recording import Triple, on_entry, seen, triples
@@ -37,7 +38,6 @@ class Lesson:
         testing: Whether what was learned is being tested.
         taught: Nodes that are in training mode now.
         treatment: Where it takes place.
-        engine: What passes its ticks; one that takes over its world may take its place.
     """
 
     def __init__(
@@ -86,6 +86,16 @@ class Lesson:
             machine.direct(node_id, name, arguments)
 
     @property
+    def engine(self) -> Engine:
+        """What passes its ticks; one that takes over its world may take its place."""
+        return self._engine
+
+    @engine.setter
+    def engine(self, engine: Engine) -> None:
+        self._engine = engine
+        engine.departed = self._look_back
+
+    @property
     def acts(self) -> Sequence[Act]:
         """What can be undone, the oldest first."""
         return self._acts
@@ -130,6 +140,13 @@ class Lesson:
             engine = self.engine
             values = seen(engine.machine, engine.senses, actor, run, automaton_of(engine.machine, self.plan))
             self._departures.note(actor.node.id, Departure(run.state, values, engine.tick))
+
+    def _look_back(self, past: Past) -> None:
+        """Remember who of the lesson has left a state by itself in a tick that has passed."""
+        nodes = [n for n, automaton in past.left if n in self._pupils and automaton == self.plan.automaton]
+        if nodes and self.testing:
+            back = LookBack(past, nodes, self.plan, self.treatment, self._forest_hash)
+            self._departures.note_unasked(back)
 
     def project_changed(self) -> list[str]:
         """Go on after an edit of the project; returns what picks cannot be carried out any more, and why.

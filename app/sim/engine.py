@@ -6,6 +6,7 @@ from typing import Any, Protocol
 
 from numpy.typing import NDArray
 
+from ..core.actor import Actor
 from ..core.hierarchy import Hierarchy
 from ..core.library import Types
 from ..core.machine import Arguments, Leaving, Machine, Senses
@@ -58,16 +59,44 @@ class Control:
 FREE = Control()
 
 
+class Past(Protocol):
+    """A tick that has passed, to be looked back on.
+
+    Attributes:
+        tick: Its number.
+        left: The nodes that left a state other than Start by themselves, at their top, with the automata that they run.
+    """
+
+    tick: int
+    left: tuple[tuple[str, str], ...]
+
+    def watch(self, nodes: Iterable[str]) -> tuple[Machine, Senses]:
+        """What these nodes and all below them did and sensed when the tick began; until something else is looked at."""
+
+    def replay(self, leaving: Callable[[Machine, Actor], None]) -> None:
+        """Let all nodes decide once more as they did, and tell who leaves a state at its top, before it happens."""
+
+    def frozen_world(self) -> FrozenWorld:
+        """The world when the tick began."""
+
+
+#: Told of ticks in which somebody left a state.
+Departed = Callable[[Past], None]
+
+
 class Engine(Protocol):
     """A world with its nodes, stepped tick by tick.
 
     Attributes:
         start: What the run began with.
         obstacle: Why free ticks cannot be compiled; empty if they are, or if that was not asked for.
+        departed: Told after each compiled tick with a control that listens; without it, such ticks are not compiled. Of
+            ticks that are not, the observer is told while they pass.
     """
 
     start: Start
     obstacle: str
+    departed: Departed | None
 
     @property
     def compiled(self) -> bool:

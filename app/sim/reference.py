@@ -11,7 +11,7 @@ from ..core.errors import ScenarioError
 from ..core.machine import Action, Classifiers, Leaving, Machine, Senses, stored_classifiers
 from ..core.machine_state import thaw as thaw_machine
 from .doing import Doing, Roster
-from .engine import FREE, Columns, Control, Start
+from .engine import FREE, Columns, Control, Departed, Start
 from .failure import failed
 from .motion import with_rest
 from .physics import physics_of, with_columns
@@ -25,6 +25,7 @@ class ReferenceEngine:
 
     Attributes:
         observed: Whether somebody is to be told who leaves a state.
+        departed: Never told anything: the observer is told of all ticks.
         obstacle: Why this engine has to do instead of one that compiles, if so.
         compiled: It never is.
     """
@@ -37,6 +38,7 @@ class ReferenceEngine:
         start = with_columns(start)
         self.start = start
         self.observed = leaving is not None
+        self.departed: Departed | None = None
         self.obstacle = ""
         self._roster = Roster()
         self._scenario = start.scenario

@@ -101,10 +101,10 @@ def rich() -> Project:
 class Hand:
     """Clicks at random, hears of what came of it late or at once, and edits the project in between."""
 
-    def __init__(self, seed: int, *, edits: bool, **world: Value) -> None:
+    def __init__(self, seed: int, engine: str = "reference", /, *, edits: bool, **world: Value) -> None:
         self.random = Random(seed)
         self.project = rich()
-        self.settings = {**UNCOMPILED, **{f"world.{name}": value for name, value in world.items()}}
+        self.settings = {"engine": engine, **{f"world.{name}": value for name, value in world.items()}}
         self.session = Session(self.project, corridor, "groups", seed=seed % 100, settings=self.settings)
         self.applied = 0
         self._edits = edits

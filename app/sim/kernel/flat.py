@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,13 @@ from .build import Addresses, Notice, build
 from .source import SIZES, layout_of
 from .state import RUN_COLUMNS
 from .tick import AFTER_MOVING, BEFORE_MOVING, ENTITIES, FAULT, WHOLE
+
+
+class FlatCopy(NamedTuple):
+    """A world and what its nodes did at one moment."""
+
+    world: Mapping[str, Column]
+    runs: Mapping[str, Column]
 
 
 class FlatWorld:
@@ -82,6 +90,24 @@ class FlatWorld:
         assert self._program is not None
         return self._program
 
+    def run_without(self, still: Column, ticks: int) -> bool:
+        """As `run` does, while the nodes in the rows *still* do not tick and their subsidiaries have no controller.
+
+        None of them stands below one that ticks.
+        """
+        if not len(still):
+            return self.run(ticks)
+        depth, kept = self.runs["depth"], self.runs["depth"][still]
+        depth[still] = 0  # who runs nothing does nothing
+        parents, at = self.program.columns["parent"].copy(), list(TABLE_COLUMNS).index("parent")
+        parents[np.isin(parents, still)] = -1
+        tables_at, self._tables_at = self._tables_at, self._tables_at.copy()
+        self._tables_at[at] = parents.ctypes.data
+        try:
+            return self.run(ticks)
+        finally:
+            depth[still], self._tables_at = kept, tables_at
+
     def run(self, ticks: int) -> bool:
         """Pass ticks; False if a function of the scenario answered with what it cannot mean."""
         once = self.runs["once"]
@@ -127,14 +153,19 @@ class FlatWorld:
         numbers: list[float] | list[int] = self.world[name][: self._lengths[name]].tolist()
         return numbers
 
-    def copy(self) -> list[Column]:
+    def copy(self) -> FlatCopy:
         """A copy of everything."""
-        return [column.copy() for column in (*self.world.values(), *self.runs.values())]
+        return FlatCopy(*({n: column.copy() for n, column in of.items()} for of in (self.world, self.runs)))
 
-    def paste(self, copy: list[Column]) -> None:
+    def now(self) -> FlatCopy:
+        """Everything as it is, and will not be any more after the next tick."""
+        return FlatCopy(self.world, self.runs)
+
+    def paste(self, copy: FlatCopy) -> None:
         """Go back to a copy."""
-        for column, before in zip((*self.world.values(), *self.runs.values()), copy, strict=True):
-            column[:] = before
+        for mine, before in ((self.world, copy.world), (self.runs, copy.runs)):
+            for name, column in mine.items():
+                column[:] = before[name]
 
 
 _DTYPES = {"f": np.float64, "i": np.int64}

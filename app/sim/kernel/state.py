@@ -219,6 +219,7 @@ class _Reader:
         columns = self._columns
         actor.flags = self._flags(columns["node_flags"][node])
         actor.left = bool(columns["left"][node])
+        actor.direction = None
         if (row := columns["direction"][node]) >= 0:
             basic = self._program.basics[row][1]
             actor.direction = (basic.name, self._arguments("direction_", node, basic.parameters))
