@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import floor, inf
 
+from .crowds import Crowd
 from .errors import ScenarioError
 from .features import (
     Bindings,
@@ -11,7 +12,6 @@ from .features import (
     FlagUp,
     Ground,
     Operation,
-    Over,
     Sense,
     Statistic,
     TicksInState,
@@ -150,7 +150,7 @@ class Telling:
 
     def _statistic(self, statistic: Statistic, span: Span) -> str:
         """Who of those below is to be what; empty if there are no words for it."""
-        crowd = _Crowd(statistic.over, self._speech.group)
+        crowd = Crowd(statistic.over, self._speech.group)
         match statistic.operation, span:
             case ((Operation.ANY | Operation.ALL), _) if says := self._says(statistic, Is(1.0)):
                 return said_of(crowd.some_or_all(statistic.operation, wanted=is_true(span)), says)
@@ -177,7 +177,7 @@ class Telling:
                 inner = self._vocabulary.features.get(name)
                 return "" if inner is None else predicate(inner, self._slots(bindings), span)
 
-    def _extreme(self, statistic: Statistic, crowd: "_Crowd", low: float, high: float) -> str:
+    def _extreme(self, statistic: Statistic, crowd: Crowd, low: float, high: float) -> str:
         """The least is at most so much where someone is; it is above where everyone is. The greatest, the other way."""
         least = statistic.operation is Operation.MIN
         above = self._says(statistic, Between(low=low)) if low > -inf else ""
@@ -192,7 +192,7 @@ class Telling:
         ]
         return " and ".join(filter(None, told))
 
-    def _mean(self, statistic: Statistic, crowd: "_Crowd", span: Between) -> str:
+    def _mean(self, statistic: Statistic, crowd: Crowd, span: Between) -> str:
         """A share of those below, or what they are on average."""
         inner = self._inner(statistic)
         if shows := self._shows(statistic):
@@ -208,7 +208,7 @@ class Telling:
 
     def _amount(self, operation: Operation, statistic: Statistic, value: float) -> str:
         """What a statistic that is a number is now; empty if there are no words for it."""
-        crowd = _Crowd(statistic.over, self._speech.group)
+        crowd = Crowd(statistic.over, self._speech.group)
         inner = self._inner(statistic)
         if operation is Operation.COUNT and (says := self._shows(statistic)):
             return said_of(crowd.just(value), says)
@@ -217,67 +217,6 @@ class Telling:
             says = reading(inner, self._slots(bindings), value)
             return said_of(crowd.average(), says) if says else ""
         return ""
-
-
-@dataclass(frozen=True, slots=True)
-class _Crowd:
-    """Those whom a statistic sums up."""
-
-    over: Over
-    group: str
-
-    def some_or_all(self, operation: Operation, *, wanted: bool) -> Who:
-        direct = self.over is Over.SUBSIDIARIES
-        if operation is Operation.ANY:
-            words = (
-                ("a subsidiary" if direct else "someone")
-                if wanted
-                else ("no subsidiary" if direct else "nobody")
-            )
-        else:
-            words = ("" if wanted else "not ") + ("every subsidiary" if direct else "everyone")
-        return self._placed(words)
-
-    def so_many(self, low: float, high: float) -> Who:
-        """Above *low* and up to *high* of them."""
-        least, most = 0 if low == -inf else floor(low) + 1, inf if high == inf else floor(high)
-        if most <= 0:
-            return self.some_or_all(Operation.ANY, wanted=False)
-        if most == inf:
-            return (
-                self.some_or_all(Operation.ANY, wanted=True)
-                if least <= 1
-                else self._many(f"{least} or more", least)
-            )
-        if least <= 0:
-            return self._many(f"at most {most}", int(most))
-        return self.just(least) if least == most else self._many(f"{least} to {most}", int(most))
-
-    def just(self, count: float) -> Who:
-        if count == 0.0:
-            return self.some_or_all(Operation.ANY, wanted=False)
-        return self._many(number(count), int(count))
-
-    def _many(self, words: str, count: int) -> Who:
-        what = "subsidiary" if self.over is Over.SUBSIDIARIES else "agent"
-        plural = {"subsidiary": "subsidiaries", "agent": "agents"}[what]
-        return self._placed(f"{words} {what if count == 1 else plural}", many=count != 1)
-
-    def share(self, low: float, high: float) -> Who:
-        """A share of them, from 0 to 1."""
-        whom = "the subsidiaries" if self.over is Over.SUBSIDIARIES else "the agents"
-        words = [f"more than {number(100 * low)}%"] if low > -inf else []
-        words += [f"at most {number(100 * high)}%"] if high < inf else []
-        return self._placed(f"{' and '.join(words)} of {whom}", many=True)
-
-    def average(self) -> Who:
-        placed = self._placed("the agents", many=True)
-        return Who(f"{placed.words} on average", many=True)
-
-    def _placed(self, words: str, *, many: bool = False) -> Who:
-        if not self.group:
-            return Who(words, many)
-        return Who(f"{words} {'of' if self.over is Over.SUBSIDIARIES else 'in'} {self.group}", many)
 
 
 def _flag_words(flag: str) -> tuple[str, str]:

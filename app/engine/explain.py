@@ -4,74 +4,24 @@ Everything is told from a `Watched` of a snapshot and the project: nothing here 
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
-from ..core.automaton import START, Automaton, Refit, Sampling
+from ..core.automaton import START, Refit
 from ..core.conditions import Condition, Guard
 from ..core.examples import enabled
-from ..core.hierarchy import Hierarchy, Node
-from ..core.library import Library
-from ..core.phrasing import number
+from ..core.hierarchy import Hierarchy
 from ..core.project import Project
 from ..core.tree import Forest
 from ..core.vocabulary import Vocabulary
-from ..core.wording import (
-    Speech,
-    guard_words,
-    held_words,
-    node_words,
-    readings,
-    state_words,
-)
 from .deciding import Way, deciding_way, ways
-from .snapshots import Watched, WatchedLevel
+from .explained import Case, Part, Reason, agreement, case_of, percent, ranked, reason_of
+from .snapshots import Watched
+
+__all__ = ["Part", "Reason", "reasons", "why", "why_not"]
 
 #: So many of the states that can come next are told.
 MOST_STATES = 3
 #: A state that comes next with less than the rest to 1 is not the only one.
 CERTAIN = 1.0 - 1e-9
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A piece of a sentence; *strong* ones stand out."""
-
-    text: str
-    strong: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Reason:
-    """Why an automaton on a node's path stays in its state or leaves it.
-
-    Attributes:
-        parts: The sentence.
-        state, goes: Where it is, and the state that comes next most probably.
-        probability: Of that.
-        guard: The tests that decided, as they came out.
-        examples: Ids of the examples that ended in the leaf that decided.
-        agreeing: Those of them that say the same.
-        rule: Id of the rule that decided, if one did.
-        prunes: Ids of the prunes that took something away from the leaf.
-    """
-
-    node: str
-    type: str
-    automaton: str
-    state: str
-    goes: str
-    parts: tuple[Part, ...]
-    probability: float = 1.0
-    guard: Guard = ()
-    examples: tuple[str, ...] = ()
-    agreeing: tuple[str, ...] = ()
-    rule: str = ""
-    prunes: tuple[str, ...] = ()
-
-    @property
-    def sentence(self) -> str:
-        """The whole as plain text."""
-        return "".join(part.text for part in self.parts)
 
 
 def reasons(
@@ -111,7 +61,7 @@ def why(
     """
     found = []
     for level in watched.levels:
-        case = _case(project, vocabulary, watched, level, forest)
+        case = case_of(project, vocabulary, watched, level, forest)
         if case is not None:
             found.append(_told(case, of_its=of_its))
     return tuple(found)
@@ -134,106 +84,29 @@ def why_not(
     """
     if not 0 <= level < len(watched.levels):
         return None
-    case = _case(project, vocabulary, watched, watched.levels[level], forest)
+    case = case_of(project, vocabulary, watched, watched.levels[level], forest)
     return None if case is None or not case.automaton.has_state(state) else _told_not(case, state)
-
-
-@dataclass(frozen=True, slots=True)
-class _Case:
-    """What is explained."""
-
-    project: Project
-    vocabulary: Vocabulary
-    node: str
-    level: WatchedLevel
-    automaton: Automaton
-    library: Library
-    speech: Speech
-
-    def shown(self, state: str) -> Part:
-        return Part(state_words(self.automaton, state, self.library), strong=True)
-
-    def words(self, guard: Guard) -> str:
-        return guard_words(guard, self.automaton, self.vocabulary, self.speech)
-
-    def seen(self, guard: Guard) -> str:
-        """What the tested features say now."""
-        tested = dict.fromkeys(condition.test.feature for condition in guard)
-        uses = [use for feature_id in tested for use in self.automaton.features if use.id == feature_id]
-        return " and ".join(readings(uses, self.level.values, self.vocabulary, self.speech))
-
-
-def _case(
-    project: Project,
-    vocabulary: Vocabulary,
-    watched: Watched,
-    level: WatchedLevel,
-    forest: Hierarchy | None,
-) -> _Case | None:
-    library = project.library(level.type)
-    automaton = library.automata.get(level.automaton)
-    if automaton is None or not automaton.has_state(level.state):
-        return None  # edited away since it was looked at
-    node = None if forest is None else _find(forest, watched.node)
-    speech = Speech(
-        clause=True,
-        group=node_words(node) if node is not None and node.children else "",
-        held=held_words(automaton, level.state, library),
-        targets={slot: target for slot, (target, _, _) in level.arguments.items()},
-        detailed=True,
-    )
-    return _Case(project, vocabulary, watched.node, level, automaton, library, speech)
-
-
-def _find(forest: Hierarchy, node_id: str) -> Node | None:
-    return next((node for node in forest.walk() if node.id == node_id), None)
 
 
 # -------------------------------------------------------------------------------------------------- why
 
 
-def _told(case: _Case, *, of_its: bool) -> Reason:
+def _told(case: Case, *, of_its: bool) -> Reason:
     level = case.level
-    ranked = _ranked(case)
+    order = ranked(case)
     who = f"Its {level.type}'s {case.automaton.name}" if of_its else case.automaton.name
-    if not ranked:
+    if not order:
         unknown = Part("; what comes next cannot be told now")
         parts = [Part(f"{who} is in "), case.shown(level.state), unknown]
-        return _reason(case, level.state, 0.0, parts, None)
-    goes, probability = ranked[0]
+        return reason_of(case, level.state, 0.0, parts, None)
+    goes, probability = order[0]
     examples = case.project.examples_of(level.type, level.automaton)
     way = deciding_way(case.automaton, level.state, level.values, goes, examples)
-    parts = [Part(f"{who} "), *_course(case, ranked), *_because(case, way, goes)]
-    return _reason(case, goes, probability, parts, way)
+    parts = [Part(f"{who} "), *_course(case, order), *_because(case, way, goes)]
+    return reason_of(case, goes, probability, parts, way)
 
 
-def _ranked(case: _Case) -> list[tuple[str, float]]:
-    """The states that can come next, the most probable first; just that where no other is ever chosen."""
-    ranked = sorted(case.level.outcome, key=lambda pair: -pair[1])
-    if case.automaton.settings.sampling is Sampling.ARGMAX:
-        return [(state, 1.0) for state, _ in ranked[:1]]
-    return ranked
-
-
-def _reason(case: _Case, goes: str, probability: float, parts: Sequence[Part], way: Way | None) -> Reason:
-    level = case.level
-    return Reason(
-        case.node,
-        level.type,
-        level.automaton,
-        level.state,
-        goes,
-        tuple(parts),
-        probability,
-        way.guard if way else (),
-        tuple(example.id for example in way.examples) if way else (),
-        tuple(example.id for example in way.examples if example.label == goes) if way else (),
-        way.rule if way else "",
-        way.prunes if way else (),
-    )
-
-
-def _course(case: _Case, ranked: Sequence[tuple[str, float]]) -> list[Part]:
+def _course(case: Case, ranked: Sequence[tuple[str, float]]) -> list[Part]:
     """Where it goes: "stays in Wander", "goes from Start to Wander", "stays in A (99%) or goes to B (1%)"."""
     here = case.level.state
     if ranked[0][1] >= CERTAIN:
@@ -245,22 +118,18 @@ def _course(case: _Case, ranked: Sequence[tuple[str, float]]) -> list[Part]:
             [] if before not in ("", here) and state != here else _moves(case, here, state, first=not before)
         )
         parts += [Part(" or ")] if before else []
-        parts += [*moves, case.shown(state), Part(f" ({_percent(probability)})")]
+        parts += [*moves, case.shown(state), Part(f" ({percent(probability)})")]
         before = state
     return parts
 
 
-def _moves(case: _Case, here: str, state: str, *, first: bool = True) -> list[Part]:
+def _moves(case: Case, here: str, state: str, *, first: bool = True) -> list[Part]:
     if state == here:
         return [Part("stays in ")]
     return [Part("goes from "), case.shown(here), Part(" to ")] if first else [Part("goes to ")]
 
 
-def _percent(probability: float) -> str:
-    return f"{number(100.0 * probability, 2)}%"
-
-
-def _because(case: _Case, way: Way | None, goes: str) -> list[Part]:
+def _because(case: Case, way: Way | None, goes: str) -> list[Part]:
     if way is None:
         return [Part(_without(case))]
     because = f" because {case.words(way.guard)}" if way.guard else ""
@@ -268,17 +137,11 @@ def _because(case: _Case, way: Way | None, goes: str) -> list[Part]:
     if way.rule or not way.examples:
         return [Part(f"{because}{chance}" or ", as its rule always says")]
     agreeing = sum(example.label == goes for example in way.examples)
-    agree = _agree(agreeing, len(way.examples))
+    agree = agreement(agreeing, len(way.examples))
     return [Part(f"{because}{agree}" if because else f", whatever it sees{agree}")]
 
 
-def _agree(agreeing: int, of: int) -> str:
-    if not of:
-        return ""
-    return f" ({agreeing} of {of} example{'s' * (of != 1)} agree{'s' * (of == 1)})"
-
-
-def _without(case: _Case) -> str:
+def _without(case: Case) -> str:
     """What is told where neither a rule nor a leaf decides."""
     level = case.level
     model = case.automaton.learned.get(level.state)
@@ -297,15 +160,15 @@ def _without(case: _Case) -> str:
 # ---------------------------------------------------------------------------------------------- why not
 
 
-def _told_not(case: _Case, state: str) -> Reason:
+def _told_not(case: Case, state: str) -> Reason:
     level = case.level
-    chance = dict(_ranked(case)).get(state, 0.0)
+    chance = dict(ranked(case)).get(state, 0.0)
     does = "stay in " if state == level.state else "go to "
     if chance > 0.0:
         certain = chance >= CERTAIN
         parts = [Part(f"{case.automaton.name} {'will' if certain else 'may'} {does}"), case.shown(state)]
-        parts += [] if certain else [Part(f", with a probability of {_percent(chance)} at this tick")]
-        return _reason(case, state, chance, parts, None)
+        parts += [] if certain else [Part(f", with a probability of {percent(chance)} at this tick")]
+        return reason_of(case, state, chance, parts, None)
     examples = case.project.examples_of(level.type, level.automaton)
     leading = [
         way
@@ -313,30 +176,30 @@ def _told_not(case: _Case, state: str) -> Reason:
         if way.shares.get(state, 0.0) > 0.0
     ]
     if not leading:
-        return _reason(case, state, 0.0, _never(case, state), None)
+        return reason_of(case, state, 0.0, _never(case, state), None)
     nearest = min(leading, key=lambda way: (len(way.failing(level.values)), -len(way.examples)))
     parts = [
         Part(f"{case.automaton.name} would {does}"),
         case.shown(state),
         *_only_where(case, nearest, state),
     ]
-    return _reason(case, state, 0.0, parts, nearest)
+    return reason_of(case, state, 0.0, parts, nearest)
 
 
-def _only_where(case: _Case, way: Way, state: str) -> list[Part]:
+def _only_where(case: Case, way: Way, state: str) -> list[Part]:
     failing = way.failing(case.level.values)
     if not failing:
         return [Part(", but something else comes before it")]
-    agree = _agree(sum(example.label == state for example in way.examples), len(way.examples))
+    agree = agreement(sum(example.label == state for example in way.examples), len(way.examples))
     return [Part(f" only where {case.words(failing)}{agree}, but {_turned(case, failing)}")]
 
 
-def _turned(case: _Case, failing: Guard) -> str:
+def _turned(case: Case, failing: Guard) -> str:
     """What is so now, instead of the tests that fail."""
     return case.seen(failing) or case.words(tuple(Condition(c.test, not c.wanted) for c in failing))
 
 
-def _never(case: _Case, state: str) -> list[Part]:
+def _never(case: Case, state: str) -> list[Part]:
     """What is told where nothing leads to a state."""
     if state == START:
         return [
