@@ -3,7 +3,7 @@
 Looking ahead reads and draws nothing, so that a test goes on as it would have without it.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isnan
 
@@ -33,17 +33,26 @@ Matter = tuple[str, str, tuple[object, ...]]
 
 @dataclass(frozen=True, slots=True)
 class _Look:
-    """What a node is about to decide."""
+    """What a node is about to decide.
 
+    Attributes:
+        outcome: The states that can come next, each once, the most probable first.
+    """
+
+    machine: Machine
+    senses: Senses
     actor: Actor
     run: Run
-    values: Mapping[str, float]
+    automaton: Automaton
     outcome: tuple[tuple[str, float], ...]
     key: tuple[object, ...]
 
     @property
     def matter(self) -> Matter:
         return self.actor.node.id, self.run.state, self.key
+
+    def values(self) -> Mapping[str, float]:
+        return seen(self.machine, self.senses, self.actor, self.run, self.automaton)
 
 
 class Asking:
@@ -82,9 +91,7 @@ class Asking:
 
     def let_go(self, engine: Engine, lesson: Lesson, node_id: str) -> None:
         """The node may decide by itself what it is about to decide now, and whenever the same decides again."""
-        look = self._look(engine, lesson, node_id)
-        if look is not None:
-            self._let_go.add(look.matter)
+        self._let_go |= {look.matter for look in _looks(engine, lesson, [node_id])}
 
     def question(
         self, engine: Engine, lesson: Lesson, project: Project, nodes: Sequence[str] | None = None
@@ -96,52 +103,36 @@ class Asking:
         """
         if self.command is None or not lesson.testing:
             return None
-        for node_id in self.command.nodes if nodes is None else nodes:
-            look = self._look(engine, lesson, node_id)
-            if look is not None and look.matter not in self._let_go:
-                asked = self._doubt(look, lesson, project)
+        for look in _looks(engine, lesson, self.command.nodes if nodes is None else nodes):
+            if look.matter not in self._let_go:
+                try:
+                    asked = self._doubt(look, lesson, project)
+                except UnderstudyError:
+                    continue  # what cannot be seen now cannot be asked about
                 if asked is not None:
                     return asked
         return None
 
-    def _look(self, engine: Engine, lesson: Lesson, node_id: str) -> _Look | None:
-        """What a node is about to decide by itself; None if it is not, or if that cannot be told."""
-        if not lesson.decides(node_id):
-            return None
-        machine, senses = engine.watch([node_id])
-        actor = machine.actors[node_id]
-        run = actor.run
-        if run is None or not is_taught_one(run, lesson.plan):
-            return None
-        try:
-            return _look(machine, senses, actor, run)
-        except UnderstudyError:
-            return None  # the tick itself will say what is wrong
-
     def _doubt(self, look: _Look, lesson: Lesson, project: Project) -> Asked | None:
         command = self.command
         assert command is not None
-        assert isinstance(look.run.behavior, Automaton)
-        ranked = tuple(sorted(look.outcome, key=lambda pair: -pair[1]))
-        confidence = ranked[0][1]
-        nearest = Nearest(0.0)
-        if command.beyond is not None or (command.below is not None and confidence < command.below):
-            nearest = self._familiar(look.run.behavior, lesson, project).nearest(look.run.state, look.values)
-        told = _Told(look, project.library(lesson.plan.type), self._vocabulary)
-        if command.below is not None and confidence < command.below:
-            reason = told.unsure(ranked)
-        elif command.beyond is not None and nearest.distance > command.beyond:
-            reason = told.unknown(nearest)
-        else:
+        confidence = look.outcome[0][1]
+        unsure = command.below is not None and confidence < command.below
+        if not unsure and command.beyond is None:
             return None
+        values = look.values()
+        nearest = self._familiar(look.automaton, lesson, project).nearest(look.run.state, values)
+        if not unsure and nearest.distance <= (command.beyond or 0.0):
+            return None
+        told = _Told(look, project.library(lesson.plan.type), self._vocabulary)
         return Asked(
             look.actor.node.id,
             lesson.plan.type,
             lesson.plan.automaton,
             look.run.state,
-            look.values,
-            ranked,
-            reason,
+            values,
+            look.outcome,
+            told.unsure() if unsure else told.unknown(nearest, values),
             confidence,
             nearest.distance,
         )
@@ -154,10 +145,23 @@ class Asking:
         return self._known[2]
 
 
-def _look(machine: Machine, senses: Senses, actor: Actor, run: Run) -> _Look:
-    assert isinstance(run.behavior, Automaton)
-    outcome = machine.outcome(actor, run, senses)
-    return _Look(actor, run, seen(machine, senses, actor, run, run.behavior), totals(outcome), outcome.key)
+def _looks(engine: Engine, lesson: Lesson, nodes: Sequence[str]) -> Iterator[_Look]:
+    """What those of the nodes are about to decide that do so by themselves, as far as that can be told."""
+    deciding = [node_id for node_id in nodes if lesson.decides(node_id)]
+    if not deciding:
+        return
+    machine, senses = engine.watch(deciding)
+    for node_id in deciding:
+        actor = machine.actors[node_id]
+        run = actor.run
+        if run is None or not isinstance(run.behavior, Automaton) or not is_taught_one(run, lesson.plan):
+            continue
+        try:
+            outcome = machine.outcome(actor, run, senses)
+        except UnderstudyError:
+            continue  # the tick itself will say what is wrong
+        ranked = tuple(sorted(totals(outcome), key=lambda pair: -pair[1]))
+        yield _Look(machine, senses, actor, run, run.behavior, ranked, outcome.key)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,25 +172,19 @@ class _Told:
     library: Library
     vocabulary: Vocabulary
 
-    def unsure(self, ranked: Sequence[tuple[str, float]]) -> str:
-        automaton = self._automaton
+    def unsure(self) -> str:
         chances = [
-            f"{state_words(automaton, state, self.library)} {100.0 * probability:.0f}%"
-            for state, probability in ranked[:MOST_TOLD]
+            f"{state_words(self.look.automaton, state, self.library)} {100.0 * probability:.0f}%"
+            for state, probability in self.look.outcome[:MOST_TOLD]
         ]
         return f"{self._who} is not sure what comes after {self._here}: {', '.join(chances)}"
 
-    def unknown(self, nearest: Nearest) -> str:
+    def unknown(self, nearest: Nearest, values: Mapping[str, float]) -> str:
         if not nearest.examples:
             return f"{self._who} was never shown what comes after {self._here}"
-        use = next((use for use in self._automaton.features if use.id == nearest.feature), None)
-        what = "this" if use is None else reading_words(use, self.look.values[use.id], self.vocabulary)
+        use = next((use for use in self.look.automaton.features if use.id == nearest.feature), None)
+        what = "this" if use is None else reading_words(use, values[use.id], self.vocabulary)
         return f"{self._who} was never shown anything like this in {self._here}: {what}"
-
-    @property
-    def _automaton(self) -> Automaton:
-        assert isinstance(self.look.run.behavior, Automaton)
-        return self.look.run.behavior
 
     @property
     def _who(self) -> str:
@@ -194,4 +192,4 @@ class _Told:
 
     @property
     def _here(self) -> str:
-        return state_words(self._automaton, self.look.run.state, self.library)
+        return state_words(self.look.automaton, self.look.run.state, self.library)
