@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
+from ...core.automaton import Content
+from ...core.check.problem import Problem
 from ...core.edits import move_states
+from ...core.project import Position
 from ..selection import BehaviorKey
+from . import offers
 from .arrangement import Point
 from .drafts import Drafts
+from .editing import GraphEditing
+from .form_strip import FormStrip
 from .laying_out import LayingOut
+from .level import Drawn
 from .live import path_of
+from .menus import add_menu, context_menu
+from .problems import Spot, problems_of, spots, worst
 from .rows import graph_rows
-from .scene import GraphScene
+from .scene import EdgeKey, GraphScene
+from .scoping import Scoping
 from .state_item import Path
 from .trail import Trail
 from .view import GraphView
@@ -27,6 +39,7 @@ if TYPE_CHECKING:
 LIVE = 33
 NOTHING = "Choose a behavior in the library to see its states."
 HINT = "Drop a behavior here to add a state. Drag from a state's handle to draw a transition."
+LINKING = "Choose where the transition leads: a click, or arrow keys and Enter. Esc gives up."
 EMPTY = "No states yet. Teach it, drop a behavior here, or use Add state in the context menu."
 
 
@@ -48,15 +61,20 @@ class GraphPanel(QWidget):
 
     def __init__(self, studio: Studio) -> None:
         super().__init__()
-        self._studio = studio
+        self.studio = studio
+        self.scoping = Scoping(studio.document)
         self.root: BehaviorKey | None = None
         self._way: list[BehaviorKey] = []
         self._open: set[Path] = set()
+        self._checked: dict[Path, tuple[tuple[object, ...], Mapping[Spot, list[Problem]]]] = {}
+        self._popped: QMenu | None = None
         self._selecting = self._entering = False
         self.laying_out = LayingOut()
         self._drafts = Drafts(studio.document, self.laying_out)
         self.scene = GraphScene(studio.theme, studio.colors)
         self.view = GraphView(self.scene, studio.theme)
+        self.editing = GraphEditing(studio, self.scene)
+        self.form = FormStrip(studio, self.scoping)
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
@@ -76,8 +94,8 @@ class GraphPanel(QWidget):
         for action in ("graph.zoom_in", "graph.zoom_out", "graph.fit", "graph.arrange"):
             button = QToolButton()
             button.setProperty("flat", "true")
-            button.setDefaultAction(self._studio.actions[action])
-            button.setAccessibleName(self._studio.actions.rows[action].text)
+            button.setDefaultAction(self.studio.actions[action])
+            button.setAccessibleName(self.studio.actions.rows[action].text)
             top.addWidget(button)
             self._buttons[action] = button
         self._hint = QLabel(HINT)
@@ -95,13 +113,14 @@ class GraphPanel(QWidget):
         column.addLayout(top)
         column.addWidget(self.view, 1)
         column.addWidget(self._hint)
+        column.addWidget(self.form)
         self._pages = QStackedLayout(self)
         self._pages.addWidget(self._empty)
         self._pages.addWidget(shown)
         self.setFocusProxy(self.view)
 
     def _connect(self) -> None:
-        studio = self._studio
+        studio = self.studio
         studio.opened.connect(self._opened)
         studio.document.project_changed.connect(lambda *_: self.touch())
         studio.colors.changed.connect(self.touch)
@@ -116,6 +135,14 @@ class GraphPanel(QWidget):
         self.view.opened.connect(self.open_state)
         self.view.toggled.connect(self.toggle)
         self.view.back.connect(self.go_back)
+        self.view.linked.connect(self.link)
+        self.view.edited.connect(self.edit)
+        self.view.removed.connect(self.remove)
+        self.view.dropped.connect(self._dropped)
+        self.view.menu_wanted.connect(self._menu)
+        self.form.closed.connect(self.close_form)
+        self.view.clipped.connect(lambda what: self.studio.actions[f"graph.{what}"].trigger())
+        self.view.cancelled.connect(lambda: self._hint.setText(HINT))
         self.view.moved.connect(self.move_state)
         self.view.nudged.connect(lambda path, by: self.move_state(path, by, gesture="nudge"))
         self._trail.chosen.connect(self.go_back)
@@ -141,13 +168,15 @@ class GraphPanel(QWidget):
         self._hint.setText(EMPTY if drawn is not None and len(drawn.graph.states) < 2 else HINT)
         self._show_trail()
         self._state_changed()
+        self._show_problems()
+        self._show_form()
         self._follow()
         self.view.changed()
         self.refreshed.emit()
 
     def _show_trail(self) -> None:
         keys = [*self._way, *([self.root] if self.root else [])]
-        found = [(key, self._studio.document.automaton(key.type, key.id)) for key in keys]
+        found = [(key, self.studio.document.automaton(key.type, key.id)) for key in keys]
         self._trail.show_way([(key, automaton.name) for key, automaton in found if automaton is not None])
         self.title_changed.emit(f"Automaton · {found[-1][1].name}" if found and found[-1][1] else "Automaton")
 
@@ -175,7 +204,7 @@ class GraphPanel(QWidget):
     # ---------------------------------------------------------------------------------------------- selection
 
     def _behavior_changed(self) -> None:
-        key = self._studio.selection.behavior
+        key = self.studio.selection.behavior
         if self._selecting or key == self.root:
             return
         if key in self._way:
@@ -188,7 +217,7 @@ class GraphPanel(QWidget):
         self.touch()
 
     def _state_changed(self) -> None:
-        selection = self._studio.selection
+        selection = self.studio.selection
         if self._selecting or selection.behavior is None:
             return
         key = selection.behavior
@@ -207,14 +236,16 @@ class GraphPanel(QWidget):
         if edge is not None:
             path = (*edge[0], edge[1])
         if path is None:
+            self.close_form()
             return
         key, state = self._key_of(path)
         self._selecting = True
         try:
-            self._studio.selection.select_behavior(key, state)
+            self.studio.selection.select_behavior(key, state)
         finally:
             self._selecting = False
-        self._studio.touch()
+        self._show_form()
+        self.studio.touch()
 
     def _key_of(self, path: Path) -> tuple[BehaviorKey, str]:
         level = self.scene.levels[path[:-1]]
@@ -230,7 +261,7 @@ class GraphPanel(QWidget):
         way = [*self._way, self.root]
         self._entering = True
         try:
-            self._studio.selection.select_behavior(BehaviorKey(self.root.type, item.state.nested))
+            self.studio.selection.select_behavior(BehaviorKey(self.root.type, item.state.nested))
             self._way = way
         finally:
             self._entering = False
@@ -239,7 +270,7 @@ class GraphPanel(QWidget):
     def go_back(self, key: BehaviorKey | None = None) -> None:
         """Show again what was shown before, or a certain one on the way here."""
         if self._way:
-            self._studio.selection.select_behavior(key or self._way[-1])
+            self.studio.selection.select_behavior(key or self._way[-1])
 
     def toggle(self, path: Path | None = None) -> None:
         """Open or close a state in place."""
@@ -259,9 +290,136 @@ class GraphPanel(QWidget):
         level = self.scene.levels[path[:-1]]
         x, y = level.base[path[-1]]
         places = {**level.base, path[-1]: (x + by[0], y + by[1])}
-        self._studio.document.attempt(
+        self.studio.document.attempt(
             move_states, level.type, level.automaton.id, places, gesture=gesture and f"{gesture} {path}"
         )
+
+    # ----------------------------------------------------------------------------------------------- editing
+
+    def level_for_new(self) -> Drawn | None:
+        """The automaton that a new state comes into: the one of what is selected, or the one that is shown."""
+        path = self.scene.current or (self.scene.edge[0] if self.scene.edge is not None else ())
+        return self.scene.levels.get(path[:-1]) or self.scene.levels.get(())
+
+    def add_state(self, content: Content, at: Position | None = None) -> None:
+        """Add a state, and ask for what it leaves open."""
+        level = self.level_for_new() if at is None else self.scene.levels.get(())
+        if level is not None:
+            self._added(self.editing.add_state(level, content, at))
+
+    def _dropped(self, data: bytes, at: QPointF) -> None:
+        level, place = self.scene.level_at(at)
+        if level is not None:
+            self._added(self.editing.dropped(level, data, place))
+
+    def _added(self, path: Path | None) -> None:
+        if path is None:
+            return
+        self.refresh()
+        self.scene.mark([path])
+        scope = self.scoping.scope(self.scene.levels[path[:-1]].type)
+        if scope is not None and offers.slots_of(self.scene.states[path].state.content, scope):
+            self.edit()
+
+    def link(self, source: Path, target: Path) -> None:
+        """A new rule from a state to a state, to be said when."""
+        edge = self.editing.link(source, target)
+        if edge is not None:
+            self.refresh()
+            self.scene.mark((), edge)
+            self.edit()
+
+    def edit(self) -> None:
+        """Open the form of what is selected."""
+        if self.scene.current is not None or self.scene.edge is not None:
+            self.form.show()
+            self._hint.hide()
+            self._show_form()
+            self.form.focus_first()
+
+    def close_form(self) -> None:
+        """No form."""
+        if self.form.isVisible():
+            self.form.hide()
+            self._hint.show()
+            self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _show_form(self) -> None:
+        if not self.form.isVisibleTo(self):
+            return
+        edge, path = self.scene.edge, self.scene.current
+        if edge is not None:
+            level = self.scene.levels[edge[0]]
+            self.form.show_edge((level.type, level.automaton.id, *edge[1:]), level.edges.get(edge[1:]))
+        elif path is not None:
+            key, state = self._key_of(path)
+            self.form.show_state((key.type, key.id, state))
+        else:
+            self.close_form()
+
+    def begin_link(self) -> None:
+        """From the selected state, choosing another one draws a transition to it."""
+        self.view.begin_link()
+        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._hint.setText(LINKING)
+
+    def remove(self) -> None:
+        """Remove what is selected."""
+        self.editing.remove(self.scene.selected, self.scene.edge)
+
+    def paste(self) -> None:
+        """Put in copies of the states in the clipboard."""
+        level = self.level_for_new()
+        if level is not None:
+            self._select(self.editing.paste(level))
+
+    def duplicate(self) -> None:
+        """Copy the selected states to beside them."""
+        self._select(self.editing.duplicate(self.scene.selected))
+
+    def _select(self, paths: list[Path]) -> None:
+        if paths:
+            self.refresh()
+            self.scene.mark(paths)
+
+    def add_state_menu(self) -> None:
+        """Offer all that a new state can hold."""
+        corner = self.view.mapToGlobal(self.view.rect().center())
+        self._popped = add_menu(self)
+        self._popped.popup(corner)
+
+    def _menu(self, at: QPoint) -> None:
+        self.studio.touch()
+        place = self.view.mapToScene(self.view.viewport().mapFromGlobal(at)).toTuple()
+        self._popped = context_menu(self, place)
+        self._popped.popup(at)
+
+    def _show_problems(self) -> None:
+        states: dict[Path, str] = {}
+        edges: dict[EdgeKey, str] = {}
+        for path, level in self.scene.levels.items():
+            for spot, found in self._problems(level).items():
+                told = "\n".join(problem.message for problem in found)
+                if len(spot) == 1 and (*path, *spot) in self.scene.states:
+                    states[*path, *spot] = worst(found)
+                    self.scene.states[*path, *spot].setToolTip(told)
+                elif (path, *spot) in self.scene.edges:
+                    edges[path, spot[0], spot[-1]] = worst(found)
+                    line = self.scene.edges[path, spot[0], spot[-1]]
+                    line.setToolTip(f"{line.toolTip()}<br>{escape(told)}")
+        self.scene.show_problems(states, edges)
+
+    def _problems(self, level: Drawn) -> Mapping[Spot, list[Problem]]:
+        scope = self.scoping.scope(level.type)
+        if scope is None:
+            return {}
+        examples = self.studio.document.project.examples_of(level.type, level.automaton.id)
+        made_of = scope, level.automaton, examples
+        kept = self._checked.get(level.path)
+        if kept is None or not all(a is b for a, b in zip(kept[0], made_of, strict=True)):
+            found = problems_of(scope, level.automaton, examples)
+            kept = self._checked[level.path] = made_of, spots(level.automaton, found)
+        return kept[1]
 
     # -------------------------------------------------------------------------------------------------- live
 
@@ -270,5 +428,5 @@ class GraphPanel(QWidget):
             self._live.start()
 
     def _follow(self) -> None:
-        snapshot = self._studio.snapshot
-        self.scene.follow(snapshot, path_of(snapshot, self._studio.selection.node))
+        snapshot = self.studio.snapshot
+        self.scene.follow(snapshot, path_of(snapshot, self.studio.selection.node))

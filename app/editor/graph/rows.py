@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ...core.edits import forget_layout
 from ..actions import ActionRow
+from .authoring_rows import authoring_rows
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -92,4 +93,5 @@ def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             icon="arrow-down-right",
             enabled=has_nested,
         ),
+        *authoring_rows(panel),
     )

@@ -128,6 +128,19 @@ class GraphScene(QGraphicsScene):
         boxes = [item for item in found if item.box.contains(item.mapFromScene(at))]
         return max(boxes or found, key=lambda item: len(item.path), default=None)
 
+    def level_at(self, at: QPointF) -> tuple[Drawn | None, Point]:
+        """The automaton whose ground is at a place of the scene, and that place as it is for its states while closed."""
+        item = self.state_at(at)
+        path: Path = ()
+        if item is not None:
+            path = item.path if item.is_open else item.path[:-1]
+        level = self.levels.get(path)
+        if level is None:
+            return None, (0.0, 0.0)
+        inside = self.states[path].mapFromScene(at) if path else at
+        place: Point = (inside - self._home(path)).toTuple()
+        return level, place
+
     def edge_at(self, at: QPointF) -> EdgeKey | None:
         """The edge at a place of the scene, of several the one on top."""
         for item in self.items(at):

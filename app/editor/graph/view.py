@@ -5,12 +5,24 @@ from __future__ import annotations
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPen,
+)
 
 from ..diagram.view import DiagramView
 from ..theme import Theme
 from .arrangement import Point
 from .gestures import Gesture, Idle, Linking, Pressed
+from .offers import BEHAVIOR_MIME
 from .scene import GraphScene
 from .state_item import HANDLE, Path, StateItem
 from .walking import next_one
@@ -38,6 +50,9 @@ class GraphView(DiagramView):
         menu_wanted: A context menu, at a place of the screen.
         back: Show what was shown before.
         removed: Remove what is selected.
+        clipped: "copy", "paste" or "duplicate" what is selected.
+        cancelled: The user gave up what was going on.
+        dropped: A behavior, as the library drags it, came down at a place of the scene.
     """
 
     opened = Signal(object)
@@ -49,6 +64,9 @@ class GraphView(DiagramView):
     menu_wanted = Signal(object)
     back = Signal()
     removed = Signal()
+    dropped = Signal(object, object)
+    clipped = Signal(str)
+    cancelled = Signal()
 
     def __init__(self, scene: GraphScene, theme: Theme) -> None:
         super().__init__(scene, theme)
@@ -58,6 +76,7 @@ class GraphView(DiagramView):
         self._linking_from: Path | None = None
         self._hovered: StateItem | None = None
         self.setMouseTracking(True)
+        self.setAcceptDrops(True)
         self.setAccessibleName("Automaton graph")
 
     def contents(self) -> QRectF:
@@ -202,6 +221,28 @@ class GraphView(DiagramView):
         self._hover(None)
         super().leaveEvent(event)
 
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """A behavior from the library is welcome."""
+        self._welcome(event)
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        """The same all over the graph."""
+        self._welcome(event)
+
+    def _welcome(self, event: QDropEvent) -> None:
+        if event.mimeData().hasFormat(BEHAVIOR_MIME):
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+        else:
+            event.ignore()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Add a state where it came down."""
+        self._welcome(event)
+        if event.isAccepted():
+            data = bytes(event.mimeData().data(BEHAVIOR_MIME).data())
+            self.dropped.emit(data, self.mapToScene(event.position().toPoint()))
+
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Offer what can be done here; the menu key asks for what is selected."""
         self.menu_wanted.emit(event.globalPos())
@@ -237,16 +278,33 @@ class GraphView(DiagramView):
             self.removed.emit()
         elif key == Qt.Key.Key_F2:
             self.edited.emit()
+        elif self._copying(event):
+            pass
         else:
             super().keyPressEvent(event)
             return
         event.accept()
+
+    def _copying(self, event: QKeyEvent) -> bool:
+        """Whether it was a key for copying, which is told."""
+        keys = (
+            (QKeySequence(QKeySequence.StandardKey.Copy), "copy"),
+            (QKeySequence(QKeySequence.StandardKey.Paste), "paste"),
+            (QKeySequence("Ctrl+D"), "duplicate"),
+        )
+        pressed = QKeySequence(event.keyCombination())
+        for sequence, what in keys:
+            if pressed == sequence:
+                self.clipped.emit(what)
+                return True
+        return False
 
     def cancel(self) -> None:
         """End what is going on, and leave all as it was."""
         self._linking_from = None
         self._gesture = self._gesture.cancel()
         self.settle()
+        self.cancelled.emit()
 
     def begin_link(self) -> None:
         """From now on, choosing a state draws a transition to it, until Escape."""
