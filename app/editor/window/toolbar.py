@@ -116,6 +116,7 @@ class Toolbar(QToolBar):
         studio.theme.changed.connect(self._dress)
         studio.bridge.mode_changed.connect(self._dress)
         self._dress()
+        self._refresh()
 
     def _add(self, action: str) -> QToolButton:
         button = QToolButton()
