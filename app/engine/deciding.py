@@ -82,15 +82,15 @@ def ways(automaton: Automaton, state: str, values: Values, examples: Iterable[Ex
     if isinstance(model, Tree):
         own = enabled(tuple(examples), state)
         for path, leaf in leaves(model.root):
-            yield _leaf_way(automaton, state, model, path, leaf, own)
+            prunes = [prune for prune in automaton.prunes_of(state) if _applies(prune, path, values)]
+            yield _leaf_way(model, path, leaf, own, prunes)
 
 
 def _leaf_way(
-    automaton: Automaton, state: str, tree: Tree, path: Guard, leaf: Leaf, examples: Sequence[Example]
+    tree: Tree, path: Guard, leaf: Leaf, examples: Sequence[Example], prunes: Sequence[Prune]
 ) -> Way:
-    ending = tuple(example for example in examples if all(_met(c, example.values) for c in path))
-    forbidding = [prune for prune in automaton.prunes_of(state) if _covers(prune, path)]
-    forbidden = {label for prune in forbidding for label in prune.forbidden}
+    ending = tuple(example for example in examples if not _fails(path, example.values))
+    forbidden = {label for prune in prunes for label in prune.forbidden}
     counts = {
         label: count
         for label, count in zip(tree.labels, leaf.counts, strict=True)
@@ -98,12 +98,12 @@ def _leaf_way(
     }
     total = sum(counts.values())
     shares = {label: count / total for label, count in counts.items()}
-    return Way(path, shares, examples=ending, prunes=tuple(prune.id for prune in forbidding))
+    return Way(path, shares, examples=ending, prunes=tuple(prune.id for prune in prunes))
 
 
-def _covers(prune: Prune, path: Guard) -> bool:
-    """Whether a prune applies all over a leaf: its tests are among those on the way there."""
-    return set(prune.guard) <= set(path)
+def _applies(prune: Prune, path: Guard, values: Values) -> bool:
+    """Whether a prune takes something away from a leaf: from the one reached now, or from all that reaches it."""
+    return set(prune.guard) <= set(path) or not (_fails(path, values) or _fails(prune.guard, values))
 
 
 def leaves(node: TreeNode, path: Guard = ()) -> Iterator[tuple[Guard, Leaf]]:
