@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
+    QPlainTextEdit,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -31,20 +32,26 @@ if TYPE_CHECKING:
 KEY = int(Qt.ItemDataRole.UserRole)
 
 
-def framed(field: QWidget, theme: Theme) -> None:
-    """Draw a line around a list or a text, so that an empty one is seen as well."""
+class _Frame(QObject):
+    """Keeps the line around a field in the colors of the theme, as long as the field lives."""
 
-    def dress() -> None:
-        colors = theme.palette
-        kind = type(field).__mro__[1 if type(field).__module__ == __name__ else 0].__name__
-        field.setStyleSheet(
+    def __init__(self, field: QWidget, kind: str, theme: Theme) -> None:
+        super().__init__(field)
+        self._field, self._kind, self._theme = field, kind, theme
+        theme.changed.connect(self._dress)
+        self._dress()
+
+    def _dress(self) -> None:
+        colors, kind = self._theme.palette, self._kind
+        self._field.setStyleSheet(
             f"{kind} {{ background: {colors.raised}; border: 1px solid {colors.hairline}; border-radius: 6px; }}"
             f"{kind}:focus {{ border-color: {colors.accent}; }}"
         )
 
-    theme.changed.connect(dress)
-    field.destroyed.connect(lambda: theme.changed.disconnect(dress))
-    dress()
+
+def framed(field: QListWidget | QPlainTextEdit, theme: Theme) -> None:
+    """Draw a line around a list or a text, so that an empty one is seen as well."""
+    _Frame(field, "QListWidget" if isinstance(field, QListWidget) else "QPlainTextEdit", theme)
 
 
 class Complaint(QLabel):
