@@ -14,6 +14,8 @@ from ..sim.engine import Columns, Engine
 
 #: A moment is kept every so many ticks, for each so many nodes: keeping one takes time.
 SPACING, NODES = 600, 500
+#: So many times as many where ticks are compiled, and gone through again in no time.
+COMPILED = 10
 #: The most moments that are kept, and the most bytes that they take altogether.
 MOST, BUDGET = 120, 256 * 1024 * 1024
 #: About what a node takes.
@@ -81,17 +83,21 @@ class Timeline:
 
     # ------------------------------------------------------------------------------------------ as it goes
 
-    def next_stop(self, tick: int) -> int:
-        """The next tick after *tick* at which `arrive` has to be called."""
-        mark = (tick // self._spacing + 1) * self._spacing
+    def next_stop(self, engine: Engine) -> int:
+        """The next tick at which `arrive` has to be called."""
+        tick, spacing = engine.tick, self._spacing_of(engine)
+        mark = (tick // spacing + 1) * spacing
         return min([mark, *(hand.tick for hand in self._hands if hand.tick > tick)])
 
     def arrive(self, engine: Engine) -> None:
         """Keep the moment if it is time to, and move what the user moved here."""
-        tick = engine.tick
-        if tick % self._spacing == 0:
+        if engine.tick % self._spacing_of(engine) == 0:
             self._mark(engine)
         self._repeat(engine)
+
+    def _spacing_of(self, engine: Engine) -> int:
+        """Bodies are put up anew at the same ticks always, whatever passes them."""
+        return self._spacing * (COMPILED if engine.compiled and not self._rigid else 1)
 
     def _mark(self, engine: Engine) -> None:
         known = next((frame for frame in self._frames if frame.tick == engine.tick), None)

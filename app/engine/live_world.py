@@ -90,7 +90,7 @@ class LiveWorld:
         self._moves.passed()
         goal = engine.tick + ticks
         while engine.tick < goal:
-            stop = goal if timeline is None else timeline.next_stop(engine.tick)
+            stop = goal if timeline is None else timeline.next_stop(engine)
             engine.step(min(stop, goal) - engine.tick, control)
             if timeline is not None and engine.tick == stop:
                 timeline.arrive(engine)

@@ -96,6 +96,7 @@ def test_the_past_of_a_compiled_run_is_gone_back_in_exactly(
     physics: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(keyframes, "SPACING", 100)
+    monkeypatch.setattr(keyframes, "COMPILED", 2)
     settings: dict[str, Value] = {"engine": "compiled", "world.pullers": 2, "physics": physics}
     session = Session(foragers(), scenario, "groups", 5, settings=settings)
     seen = {0: session.snapshot()}
