@@ -1,4 +1,4 @@
-"""No verb: the studio. Until its window exists, and where there is no screen, a demonstration in numbers instead."""
+"""No verb: the studio; where there is no screen, a demonstration in numbers instead."""
 
 import tempfile
 import time
@@ -6,9 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import platformdirs
+
 from ..core.check import refuse
 from ..core.errors import ParameterError
 from ..core.project import Arm, Project
+from ..core.storage.loading import refuse_no_project
+from ..core.storage.migrations import PROJECT_FILE
 from ..engine.runs import RunResult, treatment
 from .console import PROGRAM, progress, say, show, show_table
 from .demonstrate import play
@@ -47,11 +51,38 @@ class Taught:
 
 
 def open_studio(
+    project: Path | None,
+    picture: Path | None,
+    *,
+    dark: bool,
+    ticks: int,
+    seed: int,
+    trust: bool,
+    headless: bool = False,
+) -> int:
+    """Open the studio's window; where there is no display, or *headless*, show what Understudy does without one."""
+    if display() and not headless:
+        return open_window(project or shipped_project(DEMONSTRATED), trust=trust)
+    why = "" if headless else "there is no display for a window: "
+    say(f"{why}here is the demonstration in numbers")
+    return demonstration(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust)
+
+
+def open_window(project: Path, *, trust: bool) -> int:
+    """Open the studio on *project*, until the user closes it."""
+    folder = project.parent if project.name == PROJECT_FILE else project
+    refuse_no_project(folder)
+    from ..editor.application import run
+
+    settings = platformdirs.user_config_path(PROGRAM, appauthor=False) / "studio.ini"
+    state = platformdirs.user_state_path(PROGRAM, appauthor=False)
+    return run(folder, settings, state, trust=trust)
+
+
+def demonstration(
     project: Path | None, picture: Path | None, *, dark: bool, ticks: int, seed: int, trust: bool
 ) -> int:
-    """Show what Understudy does, without a window."""
-    why = "the studio's window does not exist yet" if display() else "there is no display for a window"
-    say(f"{why}: here is the demonstration in numbers")
+    """Learn a project's behaviors anew, run its arms, and end with numbers and a picture."""
     if picture is not None:
         refuse_picture(picture)
     opened = open_project(project or shipped_project(DEMONSTRATED), trust=trust)

@@ -24,8 +24,12 @@ _LEVELS = {
 }
 
 
-def run(project: Path | None, settings: Path) -> int:
+def run(project: Path | None, settings: Path, state: Path | None = None, *, trust: bool = False) -> int:
     """Open the studio, with *project* if one is given, and stay until the user closes it.
+
+    Args:
+        settings, state: See `Settings`.
+        trust: Run the code that the project carries without asking.
 
     Returns:
         The exit code.
@@ -36,12 +40,13 @@ def run(project: Path | None, settings: Path) -> int:
     assert isinstance(application, QApplication)
     application.setApplicationName("understudy")
     application.setApplicationDisplayName("Understudy")
-    window = make_window(application, Settings(settings))
+    window = make_window(application, Settings(settings, state))
     signal.signal(signal.SIGINT, lambda *_: window.close())
     signal.signal(signal.SIGTERM, lambda *_: window.close())
     window.show()
     if project is not None:
-        window.files.open(project)
+        window.files.open(project, trust=trust)
+    window.files.offer_left_over(project)
     return application.exec()
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
 
@@ -208,7 +208,7 @@ class MainWindow(QMainWindow):
 
     def _close(self) -> None:
         self._may_close = True
-        self.close()
+        QTimer.singleShot(0, self.close)  # Qt ignores a close within a close event
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Keep messages at the top of the canvas, in the middle."""
