@@ -183,6 +183,8 @@ QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ b
 QTreeView::item, QListView::item {{ padding: 3px 2px; }}
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {{ background: {chosen};
     color: {colors.text}; }}
+QCheckBox::indicator:unchecked, QListView::indicator:unchecked, QTableView::indicator:unchecked {{
+    width: 11px; height: 11px; border: 1px solid {colors.dim}; border-radius: 3px; background: {colors.panel}; }}
 QHeaderView::section {{ background: {colors.panel}; color: {colors.dim}; border: none;
     border-bottom: 1px solid {colors.hairline}; padding: 4px 6px; }}
 QTabBar::tab {{ background: transparent; color: {colors.dim}; padding: 6px 10px; border: none;
