@@ -314,7 +314,7 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "Behavior",
             lambda _: panel.relabel(),
             "examples",
-            "Ctrl+Shift+L",
+            "Ctrl+Alt+L",
             "Let the selected examples say something else",
             "label-outline",
             chosen,

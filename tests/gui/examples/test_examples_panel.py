@@ -99,8 +99,9 @@ def test_a_label_is_chosen_from_the_states_there_are(
     box = panel.table.viewport().findChild(QComboBox)
     assert isinstance(box, QComboBox)
     before = box.currentData()
-    qtbot.keyClick(box, Qt.Key.Key_Down)
-    box.activated.emit(box.currentIndex())
+    qtbot.waitUntil(box.view().isVisible, timeout=PATIENCE)
+    qtbot.keyClick(box.view(), Qt.Key.Key_Down)
+    qtbot.keyClick(box.view(), Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: examples(window)[0].label != before, timeout=PATIENCE)
 
 
