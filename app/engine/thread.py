@@ -46,7 +46,6 @@ class EngineThread:
         self._tickets = 0
         self._stop = False
         self._nudged = False
-        self._session: Session | None = None
         self._newest: Snapshot | None = None
         self._pace = Pace(clock)
         self._show_at = clock()
@@ -102,14 +101,16 @@ class EngineThread:
             there = "there is none yet" if newest is None else f"the newest is at tick {newest.tick}"
             raise TimeoutError(f"no such snapshot in {timeout} s; {there}")
 
-    def close(self) -> None:
-        """Stop the thread and wait for its end."""
+    def leave(self) -> None:
+        """Let the thread end as soon as it can, which may take as long as a tick of a large world; wait for nothing."""
         with self._wake:
             self._stop = True
             self._wake.notify_all()
+
+    def close(self) -> None:
+        """Let the thread end, with all that runs beside it, and wait for that."""
+        self.leave()
         self._thread.join()
-        if self._session is not None:
-            self._session.close()
 
     def _is(self, ready: Callable[[Snapshot], bool]) -> bool:
         return self._newest is not None and ready(self._newest)
@@ -136,12 +137,14 @@ class EngineThread:
         if session is None:
             self._refuse_all()
             return
-        self._session = session
-        while self._sleep(session):
-            try:
-                self._round(session)
-            except BaseException as error:  # noqa: BLE001 - whatever it is, those who wait have to hear of it
-                self._fail(session, error)
+        try:
+            while self._sleep(session):
+                try:
+                    self._round(session)
+                except BaseException as error:  # noqa: BLE001 - whatever it is, those who wait have to hear of it
+                    self._fail(session, error)
+        finally:
+            session.close()
 
     def _begin(self) -> Session | None:
         """Make the session; None, with the reason in `broken`, if that is not possible."""

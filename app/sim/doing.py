@@ -111,27 +111,26 @@ class Roster:
 
     def doing(self, actors: Mapping[str, Actor]) -> Doing:
         """What these nodes do."""
-        paths = [self._path(actor) for actor in actors.values()]
-        shape = len(paths), max(1, max(map(len, paths), default=1))
+        runs: list[tuple[int, int, int, int]] = []  # row, level, behavior, state
+        up: list[tuple[int, int]] = []  # row, flag
+        for row, actor in enumerate(actors.values()):
+            level, run, kind = 0, actor.run, actor.node.type
+            while run is not None:
+                runs.append((row, level, *self._numbers(kind, run)))
+                level, run = level + 1, run.child
+            if actor.flags or (actor.run is not None and actor.run.flags):
+                up += [(row, self._flags.setdefault(flag, len(self._flags))) for flag in _shown(actor)]
+        table = np.array(runs, np.int32).reshape(-1, 4)
+        shape = len(actors), 1 + int(table[:, 1].max(initial=0))
         behavior, state = np.full(shape, NONE, np.int32), np.full(shape, NONE, np.int32)
-        for row, path in enumerate(paths):
-            for level, (what, where) in enumerate(path):
-                behavior[row, level], state[row, level] = what, where
-        shown = [[self._flag(flag) for flag in _shown(actor)] for actor in actors.values()]
-        flags = np.zeros((len(paths), len(self._flags)), np.bool_)
-        for row, up in enumerate(shown):
-            flags[row, up] = True
-        behaviors, states, names = self._named()
+        behavior[table[:, 0], table[:, 1]], state[table[:, 0], table[:, 1]] = table[:, 2], table[:, 3]
+        flags = np.zeros((len(actors), len(self._flags)), np.bool_)
+        raised = np.array(up, np.int64).reshape(-1, 2)
+        flags[raised[:, 0], raised[:, 1]] = True
         rows = {node_id: row for row, node_id in enumerate(actors)}
         controllers = sum(not actor.is_agent for actor in actors.values())
+        behaviors, states, names = self._named()
         return Doing(behaviors, states, behavior, state, flags, names, rows, controllers)
-
-    def _path(self, actor: Actor) -> list[tuple[int, int]]:
-        path, run, kind = [], actor.run, actor.node.type
-        while run is not None:
-            path.append(self._numbers(kind, run))
-            run = run.child
-        return path
 
     def _numbers(self, kind: str, run: Run) -> tuple[int, int]:
         behavior = run.behavior
@@ -139,9 +138,6 @@ class Roster:
             what, where = (kind, behavior.id, behavior.name), (kind, behavior.id, run.state)
             return _number(self._behaviors, what), _number(self._states, where)
         return _number(self._behaviors, (kind, "", behavior.name)), NONE
-
-    def _flag(self, name: str) -> int:
-        return self._flags.setdefault(name, len(self._flags))
 
     def _named(self) -> tuple[tuple[BehaviorRef, ...], tuple[StateRef, ...], tuple[str, ...]]:
         """What the numbers mean; the same tuples until something new comes up."""

@@ -404,6 +404,19 @@ def test_closing_ends_everything(start: Make) -> None:
     thread.close()
 
 
+def test_nobody_has_to_wait_for_a_thread_that_is_left(start: Make) -> None:
+    thread = start()
+    thread.send(Teach("agent", "Shuttle", ("agent-1",)))
+    thread.send(Pick("agent-1", "up"))
+    thread.send(LearnAndTest())
+    thread.send(Play(None))
+    thread.leave()
+    with pytest.raises(SessionError, match="the engine is closed"):
+        thread.send(Pause())
+    thread._thread.join(10.0)
+    assert not [t for t in threads() if t.name.startswith(("engine", "learner"))]
+
+
 def test_closing_while_it_learns_ends_everything(start: Make) -> None:
     thread = start()
     thread.send(Teach("agent", "Shuttle", ("agent-1",)))
