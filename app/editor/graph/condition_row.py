@@ -3,13 +3,11 @@
 from dataclasses import replace
 from math import degrees, radians
 
-from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -18,9 +16,9 @@ from PySide6.QtWidgets import (
 from ...core.conditions import AtMost, Condition, Equals, InArc
 from ...core.features import FeatureUse, Source
 from ...core.phrasing import in_degrees, unit_of
-from ...core.predicates import predicate
-from ...core.spans import Is
 from ...core.vocabulary import Feature, FeatureKind
+from .list_choice import ListChoice
+from .number_field import NumberField
 from .offers import Choice
 
 FARTHEST = 1e9
@@ -46,24 +44,32 @@ class ConditionRow(QWidget):
         condition: Condition,
         use: FeatureUse,
         feature: Feature,
+        words: tuple[str, str],
         uses: list[Choice],
         others: list[Choice],
     ) -> None:
+        """Show a test.
+
+        Args:
+            words: What is said where a boolean feature is true, and where it is not.
+            uses: Ids of features by their names.
+            others: Sources that are no features yet.
+        """
         super().__init__()
-        self._condition, self._feature = condition, feature
+        self._condition, self._feature, self._words = condition, feature, words
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         first, self._layout = QHBoxLayout(), QHBoxLayout()
         column.addLayout(first)
-        self.what = QComboBox()
+        self.what = ListChoice()
         self.what.setAccessibleName("What is tested")
         self.what.setToolTip("What is tested; below the line is what the automaton does not look at yet")
         self._offer(uses, others, use)
         first.addWidget(self.what, 2)
-        self.how = QComboBox()
+        self.how = ListChoice()
         self.how.setAccessibleName("Comparison")
-        self.numbers: list[QDoubleSpinBox] = []
+        self.numbers: list[NumberField] = []
         self.how.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.how.setMinimumContentsLength(6)
         self._layout.addWidget(self.how, 2)
@@ -109,9 +115,7 @@ class ConditionRow(QWidget):
                 self._categories(value)
             case Equals(_, value):
                 is_true = (value != 0.0) == wanted
-                self._choose(
-                    [(self._boolean(wanted=True), True), (self._boolean(wanted=False), False)], is_true
-                )
+                self._choose([(self._words[0], True), (self._words[1], False)], is_true)
             case AtMost(_, threshold):
                 self._choose([("at most", True), ("more than", False)], wanted)
                 self._number(threshold)
@@ -127,11 +131,8 @@ class ConditionRow(QWidget):
             self.how.addItem(name, value)
         self.how.setCurrentIndex([value for _, value in choices].index(chosen))
 
-    def _boolean(self, *, wanted: bool) -> str:
-        return predicate(self._feature, {}, Is(float(wanted))) or ("yes" if wanted else "no")
-
     def _categories(self, value: float) -> None:
-        self.category = QComboBox()
+        self.category = ListChoice()
         self.category.setAccessibleName("Category")
         for number, name in enumerate(self._feature.categories):
             self.category.addItem(name, float(number))
@@ -140,18 +141,10 @@ class ConditionRow(QWidget):
         self._layout.addWidget(self.category, 1)
 
     def _number(self, value: float, name: str = "Threshold") -> None:
-        field = QDoubleSpinBox()
-        field.setAccessibleName(name)
-        field.setToolTip(name)
-        field.setDecimals(4 if not in_degrees(self._feature) else 2)
-        field.setRange(*self._range())
-        field.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         unit = unit_of(self._feature)
-        field.setSuffix("°" if unit == "degrees" else f" {unit}" if unit else "")
+        suffix = "°" if unit == "degrees" else f" {unit}" if unit else ""
+        field = NumberField(name, *self._range(), suffix)
         field.setValue(degrees(value) if in_degrees(self._feature) else value)
-        field.setKeyboardTracking(False)
-        field.setMinimumWidth(76)
-        field.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         field.valueChanged.connect(lambda _: self._said(still=True))
         field.editingFinished.connect(self.settled)
         self._layout.addWidget(field, 2)
@@ -184,7 +177,7 @@ class ConditionRow(QWidget):
         """What a field says; what it cannot show more exactly stays as it was."""
         field = self.numbers[number]
         shown = degrees(before) if in_degrees(self._feature) else before
-        if abs(field.value() - shown) <= 0.5 * 10.0 ** -field.decimals():
+        if field.is_still(shown):
             return before
         return radians(field.value()) if in_degrees(self._feature) else field.value()
 
@@ -192,7 +185,3 @@ class ConditionRow(QWidget):
         if self.condition != self._condition:
             self._condition = self.condition
             self.changed.emit(still)
-
-    def silence(self) -> QSignalBlocker:
-        """While this is kept, nothing is told."""
-        return QSignalBlocker(self)

@@ -81,6 +81,7 @@ class EdgeItem(QGraphicsItem):
         stroker = QPainterPathStroker()
         stroker.setWidth(12.0)
         hit = stroker.createStroke(self._path)
+        hit.setFillRule(Qt.FillRule.WindingFill)
         if self._shows_label:
             hit.addRect(self._label_box())
         return hit

@@ -50,6 +50,7 @@ class GraphPanel(QWidget):
         root: The automaton that is drawn; automata inside may be open in place.
         scene: Its states and edges.
         view: What they are seen through.
+        menu: The context menu that was opened last.
 
     Signals:
         title_changed: The dock is to be called otherwise.
@@ -67,7 +68,7 @@ class GraphPanel(QWidget):
         self._way: list[BehaviorKey] = []
         self._open: set[Path] = set()
         self._checked: dict[Path, tuple[tuple[object, ...], Mapping[Spot, list[Problem]]]] = {}
-        self._popped: QMenu | None = None
+        self.menu: QMenu | None = None
         self._selecting = self._entering = False
         self.laying_out = LayingOut()
         self._drafts = Drafts(studio.document, self.laying_out)
@@ -172,6 +173,7 @@ class GraphPanel(QWidget):
         self._show_form()
         self._follow()
         self.view.changed()
+        self.studio.touch()
         self.refreshed.emit()
 
     def _show_trail(self) -> None:
@@ -287,6 +289,7 @@ class GraphPanel(QWidget):
 
     def move_state(self, path: Path, by: Point, gesture: str = "") -> None:
         """Let a state stand elsewhere; the others of its automaton stay where they are from now on."""
+        self.view.is_fitted = False  # what was moved stays under the pointer
         level = self.scene.levels[path[:-1]]
         x, y = level.base[path[-1]]
         places = {**level.base, path[-1]: (x + by[0], y + by[1])}
@@ -310,6 +313,7 @@ class GraphPanel(QWidget):
     def _dropped(self, data: bytes, at: QPointF) -> None:
         level, place = self.scene.level_at(at)
         if level is not None:
+            self.view.is_fitted = False  # what was dropped stays under the pointer
             self._added(self.editing.dropped(level, data, place))
 
     def _added(self, path: Path | None) -> None:
@@ -385,14 +389,14 @@ class GraphPanel(QWidget):
     def add_state_menu(self) -> None:
         """Offer all that a new state can hold."""
         corner = self.view.mapToGlobal(self.view.rect().center())
-        self._popped = add_menu(self)
-        self._popped.popup(corner)
+        self.menu = add_menu(self)
+        self.menu.popup(corner)
 
     def _menu(self, at: QPoint) -> None:
         self.studio.touch()
         place = self.view.mapToScene(self.view.viewport().mapFromGlobal(at)).toTuple()
-        self._popped = context_menu(self, place)
-        self._popped.popup(at)
+        self.menu = context_menu(self, place)
+        self.menu.popup(at)
 
     def _show_problems(self) -> None:
         states: dict[Path, str] = {}

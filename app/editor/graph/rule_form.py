@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtWidgets import (
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -16,14 +15,15 @@ from PySide6.QtWidgets import (
 )
 
 from ...core.automaton import Automaton, Rule
-from ...core.conditions import Condition, Guard
+from ...core.conditions import Condition, Equals, Guard
 from ...core.edits import add_feature, add_rule, describe, order_rules, remove_rule, replace_rule
 from ...core.errors import UnderstudyError
 from ...core.features import FeatureUse, Source
 from ...core.vocabulary import Vocabulary
-from ...core.wording import feature_of, state_words
+from ...core.wording import condition_words, feature_of, state_words
 from . import offers
 from .condition_row import ConditionRow
+from .number_field import NumberField
 from .scoping import Scoping
 
 if TYPE_CHECKING:
@@ -189,16 +189,10 @@ class RuleBlock(QWidget):
         self.later = self._button("▼", "Try this rule later", lambda: self._form.reorder(self.rule, 1))
         self.earlier.setEnabled(order > 1)
         self.later.setEnabled(order < of)
-        self.probability = QDoubleSpinBox()
-        self.probability.setRange(0.0, 100.0)
-        self.probability.setDecimals(3)
-        self.probability.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
-        self.probability.setSuffix(" %")
-        self.probability.setAccessibleName("Probability of the rule")
+        self.probability = NumberField("Probability of the rule", 0.0, 100.0, " %")
         self.probability.setToolTip(
             "How probable it is, each tick, that the rule is followed where it applies"
         )
-        self.probability.setKeyboardTracking(False)
         self.probability.setValue(100.0 * self.rule.probability)
         self.probability.valueChanged.connect(self._probability_changed)
         self.probability.editingFinished.connect(self._form.end_gesture)
@@ -206,7 +200,7 @@ class RuleBlock(QWidget):
         for widget in (self.earlier, self.later):
             head.addWidget(widget)
         head.addStretch(1)
-        head.addWidget(self.probability)
+        head.addWidget(self.probability, 1)
         head.addWidget(self.removal)
         return head
 
@@ -230,7 +224,11 @@ class RuleBlock(QWidget):
         use = feature_of(automaton, condition.test.feature)
         known = any(value == use.id for _, value in uses)
         feature = offers.kind_of(use, self._form.vocabulary)
-        row = ConditionRow(condition, use, feature, uses if known else [(use.shown, use.id), *uses], others)
+        true, false = Condition(Equals(use.id, 1.0)), Condition(Equals(use.id, 1.0), wanted=False)
+        vocabulary = self._form.vocabulary
+        words = condition_words(true, automaton, vocabulary), condition_words(false, automaton, vocabulary)
+        offered = uses if known else [(use.shown, use.id), *uses]
+        row = ConditionRow(condition, use, feature, words, offered, others)
         row.changed.connect(lambda still: self._guard_changed(still=still))
         row.settled.connect(self._form.end_gesture)
         row.resourced.connect(

@@ -11,6 +11,7 @@ from ...core.edits import bind_state, note_state, rename_state, set_content
 from ...core.edits.bindings import bindings_of
 from ...core.wording import content_words
 from . import offers
+from .list_choice import ListChoice
 from .scoping import Scoping
 
 if TYPE_CHECKING:
@@ -67,12 +68,13 @@ class StateForm(QWidget):
         scope = self._scoping.scope(place[0])
         choices = [] if scope is None else offers.bindings(scope, automaton)
         slots = () if scope is None else offers.slots_of(state.content, scope)
-        shown = place, state, tuple(name for name, _ in choices), slots
-        if shown == self._shown:
-            return
-        self.place, self._shown = place, shown
+        bound = tuple(bindings_of(state.content).items())
+        form = place, type(state.content), bound, tuple(name for name, _ in choices), slots
         self._title.setText(content_words(state.content, self._studio.document.project.library(place[0])))
-        self._fill(state, slots, choices)
+        if form != self._shown:
+            self.place, self._shown = place, form
+            self._fill(state, slots, choices)
+        self._update(state)
 
     def _fill(self, state: State, slots: tuple[str, ...], choices: list[offers.Choice]) -> None:
         for field in (self.name, self.note, self.flag):
@@ -90,17 +92,23 @@ class StateForm(QWidget):
             for slot in slots:
                 self._rows.addRow(slot, self._slot(slot, state, choices))
             if isinstance(state.content, RaiseFlag):
-                self._put("Flag", self.flag, state.content.flag)
-        self._put("Name", self.name, state.name)
-        self._put("Note", self.note, state.note)
+                self._put("Flag", self.flag)
+        self._put("Name", self.name)
+        self._put("Note", self.note)
 
-    def _put(self, label: str, field: QLineEdit, text: str) -> None:
-        field.setText(text)
+    def _update(self, state: State) -> None:
+        """What stands in the fields; not in the one that is being typed into."""
+        flag = state.content.flag if isinstance(state.content, RaiseFlag) else ""
+        for field, text in ((self.name, state.name), (self.note, state.note), (self.flag, flag)):
+            if field.text() != text and not (field.hasFocus() and field.isModified()):
+                field.setText(text)
+
+    def _put(self, label: str, field: QLineEdit) -> None:
         field.show()
         self._rows.addRow(label, field)
 
     def _slot(self, slot: str, state: State, choices: list[offers.Choice]) -> QComboBox:
-        box = QComboBox()
+        box = ListChoice()
         box.setAccessibleName(f"What {slot} is")
         box.setToolTip(f"What {slot} stands for in this state")
         bound = bindings_of(state.content).get(slot)

@@ -93,6 +93,7 @@ class StateItem(QGraphicsItem):
     def shape(self) -> QPainterPath:
         """Where it can be hit."""
         path = QPainterPath()
+        path.setFillRule(Qt.FillRule.WindingFill)
         path.addRect(self.box.adjusted(-2, -2, 2, 2))
         if self.look.handle:
             path.addEllipse(self.handle_at(), HANDLE + 5, HANDLE + 5)

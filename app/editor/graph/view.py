@@ -157,7 +157,7 @@ class GraphView(DiagramView):
                 self.begin_pan(event)
         elif item.expander().contains(item.mapFromScene(at)):
             self.toggled.emit(item.path)
-        elif item.look.handle and _near(item.mapFromScene(at), item.handle_at()):
+        elif _near(item.mapFromScene(at), item.handle_at()):
             self._gesture = Linking(self, item.path)
         else:
             self._select(item.path, add=bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier))

@@ -1,9 +1,7 @@
 """The automaton graph shows what the automaton does and who is where, and follows the hand."""
 
-from collections.abc import Iterator
-
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START
@@ -13,52 +11,11 @@ from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
+from tests.gui.graph.author import Author
 
-LEFT, MIDDLE = Qt.MouseButton.LeftButton, QPointF(0, 0)
+LEFT = Qt.MouseButton.LeftButton
 FORAGE, AUTHORED = BehaviorKey("agent", "forage"), BehaviorKey("authored-agent", "forage")
 RETURN: Path = ("return-with-box",)
-
-
-@pytest.fixture
-def panel(studio: Studio, qtbot: QtBot) -> Iterator[GraphPanel]:
-    studio.selection.select_behavior(FORAGE)
-    panel = GraphPanel(studio)
-    qtbot.addWidget(panel)
-    panel.resize(700, 600)
-    panel.show()
-    qtbot.waitExposed(panel)
-    settle(panel, qtbot)
-    yield panel
-    panel.hide()
-
-
-def settle(panel: GraphPanel, qtbot: QtBot) -> None:
-    """Wait until what is shown is arranged by Graphviz and up to date."""
-    qtbot.waitUntil(
-        lambda: (
-            panel.laying_out.is_idle
-            and not panel.is_pending
-            and all(level.is_settled for level in panel.scene.levels.values())
-        ),
-        timeout=PATIENCE,
-    )
-
-
-def at(panel: GraphPanel, path: Path, offset: QPointF = MIDDLE) -> QPoint:
-    return panel.view.mapFromScene(panel.scene.states[path].mapToScene(offset))
-
-
-def click(panel: GraphPanel, qtbot: QtBot, path: Path, offset: QPointF = MIDDLE) -> None:
-    qtbot.mouseClick(panel.view.viewport(), LEFT, pos=at(panel, path, offset))
-
-
-def drag(panel: GraphPanel, qtbot: QtBot, start: QPoint, end: QPoint) -> None:
-    surface = panel.view.viewport()
-    qtbot.mouseMove(surface, start)
-    qtbot.mousePress(surface, LEFT, pos=start)
-    qtbot.mouseMove(surface, (start + end) / 2)
-    qtbot.mouseMove(surface, end)
-    qtbot.mouseRelease(surface, LEFT, pos=end)
 
 
 def test_states_and_edges_are_those_of_the_automaton(panel: GraphPanel) -> None:
@@ -69,7 +26,7 @@ def test_states_and_edges_are_those_of_the_automaton(panel: GraphPanel) -> None:
 
 
 def test_clicking_a_state_selects_it_for_all_panels(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
-    click(panel, qtbot, ("wander",))
+    Author(panel, qtbot).click(("wander",))
     assert (studio.selection.behavior, studio.selection.state) == (FORAGE, "wander")
 
 
@@ -79,7 +36,7 @@ def test_a_state_selected_elsewhere_is_marked(panel: GraphPanel, studio: Studio)
 
 
 def test_arrow_keys_walk_from_state_to_state(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
-    click(panel, qtbot, (START,))
+    Author(panel, qtbot).click((START,))
     qtbot.keyClick(panel.view, Qt.Key.Key_Down)
     assert studio.selection.state == "wander"
     qtbot.keyClick(panel.view, Qt.Key.Key_Down)
@@ -87,17 +44,17 @@ def test_arrow_keys_walk_from_state_to_state(panel: GraphPanel, studio: Studio, 
 
 
 def test_the_expander_opens_an_automaton_in_place_to_any_depth(panel: GraphPanel, qtbot: QtBot) -> None:
-    click(panel, qtbot, RETURN, panel.scene.states[RETURN].expander().center())
-    settle(panel, qtbot)
+    Author(panel, qtbot).click(RETURN, panel.scene.states[RETURN].expander().center())
+    Author(panel, qtbot).settle()
     inner = (*RETURN, "approach")
     assert inner in panel.scene.states
     outer, item = panel.scene.states[RETURN], panel.scene.states[inner]
     assert outer.mapRectToScene(outer.box).contains(item.mapRectToScene(item.box))
-    click(panel, qtbot, inner, item.expander().center())
-    settle(panel, qtbot)
+    Author(panel, qtbot).click(inner, item.expander().center())
+    Author(panel, qtbot).settle()
     assert any(len(path) == 3 for path in panel.scene.states)
-    click(panel, qtbot, RETURN, panel.scene.states[RETURN].expander().center())
-    settle(panel, qtbot)
+    Author(panel, qtbot).click(RETURN, panel.scene.states[RETURN].expander().center())
+    Author(panel, qtbot).settle()
     assert len(panel.scene.states) == 3
 
 
@@ -105,8 +62,8 @@ def test_a_state_inside_an_open_one_is_selected_as_one_of_its_own_automaton(
     panel: GraphPanel, studio: Studio, qtbot: QtBot
 ) -> None:
     panel.toggle(RETURN)
-    settle(panel, qtbot)
-    click(panel, qtbot, (*RETURN, "grab"))
+    Author(panel, qtbot).settle()
+    Author(panel, qtbot).click((*RETURN, "grab"))
     assert studio.selection.behavior == BehaviorKey("agent", "return-with-box")
     assert studio.selection.state == "grab"
     assert panel.root == FORAGE
@@ -115,25 +72,25 @@ def test_a_state_inside_an_open_one_is_selected_as_one_of_its_own_automaton(
 def test_a_double_click_goes_into_an_automaton_and_backspace_comes_back(
     panel: GraphPanel, studio: Studio, qtbot: QtBot
 ) -> None:
-    qtbot.mouseDClick(panel.view.viewport(), LEFT, pos=at(panel, RETURN))
-    settle(panel, qtbot)
+    qtbot.mouseDClick(panel.view.viewport(), LEFT, pos=Author(panel, qtbot).at(RETURN))
+    Author(panel, qtbot).settle()
     assert panel.root == studio.selection.behavior == BehaviorKey("agent", "return-with-box")
     qtbot.keyClick(panel.view, Qt.Key.Key_Backspace)
-    settle(panel, qtbot)
+    Author(panel, qtbot).settle()
     assert panel.root == FORAGE
 
 
 def test_a_state_that_is_dragged_stays_there_and_undo_puts_it_back(
     panel: GraphPanel, studio: Studio, qtbot: QtBot
 ) -> None:
-    start = at(panel, ("wander",))
-    drag(panel, qtbot, start, start + QPoint(60, 30))
-    settle(panel, qtbot)
+    start = Author(panel, qtbot).at(("wander",))
+    Author(panel, qtbot).drag(start, start + QPoint(60, 30))
+    Author(panel, qtbot).settle()
     moved = studio.document.project.layout_of("agent", "forage")["wander"]
     assert panel.scene.states["wander",].pos().toTuple() == pytest.approx(moved)
     assert studio.document.history.undo_text == "Move states of Forage"
     studio.undo()
-    settle(panel, qtbot)
+    Author(panel, qtbot).settle()
     assert studio.document.project.layouts == {}
 
 
@@ -146,7 +103,7 @@ def test_moving_states_does_not_make_anything_stale(panel: GraphPanel, studio: S
 
 
 def test_escape_ends_a_drag_and_leaves_all_as_it_was(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
-    surface, start = panel.view.viewport(), at(panel, ("wander",))
+    surface, start = panel.view.viewport(), Author(panel, qtbot).at(("wander",))
     before = panel.scene.states["wander",].pos()
     qtbot.mousePress(surface, LEFT, pos=start)
     qtbot.mouseMove(surface, start + QPoint(50, 50))
@@ -171,7 +128,7 @@ def test_shares_and_the_active_state_follow_the_world(
 
 def test_authored_rules_are_told_with_their_order(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
     studio.selection.select_behavior(AUTHORED)
-    settle(panel, qtbot)
+    Author(panel, qtbot).settle()
     edge = panel.scene.edges[(), "wander", "return-with-box"].edge
     assert [(way.order, way.words) for way in edge.rules] == [(1, "sees a box")]
 
