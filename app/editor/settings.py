@@ -135,6 +135,15 @@ class Settings(QObject):
         """Turn a switch."""
         self._set(f"flags/{name}", int(on), name)
 
+    @property
+    def lesson_step(self) -> int:
+        """Where the guided first lesson was left."""
+        return _whole(self._stored.value("lesson_step"), 0)
+
+    @lesson_step.setter
+    def lesson_step(self, step: int) -> None:
+        self._set("lesson_step", step)
+
     def sync(self) -> None:
         """Write what has changed to the file now."""
         self._stored.sync()

@@ -18,7 +18,7 @@ from .forms import Form, PlaceEdit, folder_problem, usable_name
 if TYPE_CHECKING:
     from ..studio import Studio
 
-MOST_GROUPS = 1000
+MOST_GROUPS, GROUP_SIZE = 1000, 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +60,7 @@ class NewProject(QDialog):
         )
         self.groups = _count(0, MOST_GROUPS, 0, "Groups", "Controllers, each of a group of agents of its own")
         self.groups.setSpecialValueText("no groups")
+        self._grouped = False
         self.total = QLabel()
         self._build()
         for signal in (self.agents.valueChanged, self.groups.valueChanged, self.name.textChanged):
@@ -114,6 +115,9 @@ class NewProject(QDialog):
 
     def _check(self) -> None:
         self.about.setText(shipped(self.scenario.currentData()).doc)
+        if self.groups.value() and not self._grouped and self.agents.value() == AGENTS:
+            self.agents.setValue(GROUP_SIZE)  # as in the paper
+        self._grouped = bool(self.groups.value())
         groups, agents = self.groups.value(), self.agents.value()
         self.agents.setSuffix(" agents each" if groups else " agents")
         self.total.setText(f"{groups * agents:,} agents in all" if groups else "on their own")

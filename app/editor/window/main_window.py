@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
@@ -10,9 +11,14 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
 
 from ..actions import MENUS, ActionRow, when_open
 from ..canvas.view import WorldCanvas
+from ..command_palette.catalog import Catalog, Entry, catalog_of
+from ..command_palette.field import SearchField, palette_rows
+from ..command_palette.palette import Palette
 from ..documents.busy import BusyPage
 from ..documents.files import Files
 from ..documents.welcome import WelcomePage
+from ..guide.card import Guide, guide_rows
+from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks
 from .messages import MessageBar
@@ -56,9 +62,11 @@ class MainWindow(QMainWindow):
         self.speed = Speed()
         self.files = Files(studio, self)
         self._may_close = False
+        self.palette_search = Palette(studio, self, self._catalog)
         studio.actions.add(
             (*self.files.rows(), *edit_rows(), *view_rows(), *teach_rows(), *time_rows(self.speed))
         )
+        studio.actions.add((*preference_rows(self), *palette_rows(self.palette_search)))
         self.canvas = WorldCanvas(studio)
         self.welcome = WelcomePage(studio)
         self.welcome.chosen.connect(self.files.open)
@@ -70,6 +78,9 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self._pages)
         self.resize(SIZE)
         self.docks = place_docks(self, studio)
+        for dock in self.docks.values():
+            for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
+                signal.connect(self._fold_titles)
         studio.actions.add(self._dock_rows())
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
@@ -77,7 +88,12 @@ class MainWindow(QMainWindow):
         self.setStatusBar(StatusBar(studio))
         self.messages = MessageBar(studio, self._pages)
         self._pages.installEventFilter(self)
+        self.guide = Guide(self, self._pages)
+        studio.actions.add(guide_rows(self.guide))
         self._build_menus()
+        self.search_field = SearchField(studio)
+        self.menuBar().setCornerWidget(self.search_field)
+        self.search_field.show()  # the bar alone would leave it hidden
         self._standard = self.saveState()
         studio.opened.connect(self._opened)
         studio.document.history_changed.connect(self._titled)
@@ -97,11 +113,28 @@ class MainWindow(QMainWindow):
         dock.raise_()
         dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def _catalog(self) -> Catalog:
+        """All that the command palette finds now."""
+        settings = [
+            Entry("setting", text, about, do=partial(open_preferences, self.studio, self, name))
+            for name, text, about in SETTINGS
+        ]
+        recent = [
+            Entry("project", folder.name, str(folder), do=partial(self.files.open, folder))
+            for folder in self.studio.settings.recent
+        ]
+        return catalog_of(self.studio, settings, recent)
+
     def standard_layout(self) -> None:
         """Put all docks back where they stood at first."""
         self.restoreState(self._standard)
         for dock in self.docks.values():
             dock.show()
+
+    def _fold_titles(self) -> None:
+        """Titles only where no tab says the same."""
+        for dock in self.docks.values():
+            dock.fold_title(folded=not dock.isFloating() and bool(self.tabifiedDockWidgets(dock)))
 
     def _dock_rows(self) -> tuple[ActionRow, ...]:
         return (
