@@ -46,6 +46,7 @@ class EngineThread:
         self._tickets = 0
         self._stop = False
         self._nudged = False
+        self._session: Session | None = None
         self._newest: Snapshot | None = None
         self._pace = Pace(clock)
         self._show_at = clock()
@@ -137,6 +138,7 @@ class EngineThread:
         if session is None:
             self._refuse_all()
             return
+        self._session = session
         try:
             while self._sleep(session):
                 try:
