@@ -3,7 +3,8 @@
 Everything is told from a `Watched` of a snapshot and the project: nothing here touches a world, and nothing is drawn.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 
 from ..core.automaton import START, Refit
 from ..core.conditions import Condition, Guard
@@ -18,6 +19,8 @@ from .snapshots import Watched
 
 __all__ = ["Part", "Reason", "reasons", "why", "why_not"]
 
+#: Before what a node would do that does what the user picks.
+YOURS = Part("You decide now; by itself: ")
 #: So many of the states that can come next are told.
 MOST_STATES = 3
 #: A state that comes next with less than the rest to 1 is not the only one.
@@ -25,12 +28,18 @@ CERTAIN = 1.0 - 1e-9
 
 
 def reasons(
-    project: Project, vocabulary: Vocabulary, watched: Mapping[str, Watched], node_id: str, forest: Hierarchy
+    project: Project,
+    vocabulary: Vocabulary,
+    watched: Mapping[str, Watched],
+    node_id: str,
+    forest: Hierarchy,
+    taught: Collection[str] = (),
 ) -> tuple[Reason, ...]:
     """Why a node does what it does, from the top: of its controllers, as far as they are *watched*, then its own.
 
     Args:
         vocabulary: The scenario's.
+        taught: The nodes that do just what the user picks.
     """
     parents = forest.parents()
     line = [node_id]
@@ -40,7 +49,9 @@ def reasons(
         reason
         for above in line
         if above in watched
-        for reason in why(project, vocabulary, watched[above], forest, of_its=above != node_id)
+        for reason in why(
+            project, vocabulary, watched[above], forest, of_its=above != node_id, taught=above in taught
+        )
     )
 
 
@@ -51,6 +62,7 @@ def why(
     forest: Hierarchy | None = None,
     *,
     of_its: bool = False,
+    taught: bool = False,
 ) -> tuple[Reason, ...]:
     """One reason for each automaton on a node's path, outermost first; none if it runs no automaton.
 
@@ -58,12 +70,15 @@ def why(
         vocabulary: The scenario's.
         forest: For the names of groups.
         of_its: Whether it is told to somebody below: "Its group's ControlForage stays in ...".
+        taught: Whether the user decides for it.
     """
-    found = []
+    found: list[Reason] = []
     for level in watched.levels:
         case = case_of(project, vocabulary, watched, level, forest)
         if case is not None:
-            found.append(_told(case, of_its=of_its))
+            reason = _told(case, of_its=of_its)
+            yours = taught and level is watched.levels[0]
+            found.append(replace(reason, parts=(YOURS, *reason.parts)) if yours else reason)
     return tuple(found)
 
 

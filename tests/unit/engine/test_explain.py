@@ -11,6 +11,7 @@ from app.core.conditions import AtMost, Condition, Equals
 from app.core.edits import add_prune, disable_examples, set_settings
 from app.core.examples import Example
 from app.core.features import FeatureUse, Ground, Parameter, Sense
+from app.core.hierarchy import from_table
 from app.core.library import Library
 from app.core.project import Project
 from app.core.storage import load
@@ -336,6 +337,15 @@ def test_what_comes_next_anyway_is_told_with_its_probability() -> None:
         "A may stay in a, with a probability of 25% at this tick"
     )
     assert negation("b", made(learned={"a": SPLIT}), (("b", 1.0),), sees=1.0) == "A will go to b"
+
+
+def test_of_a_node_that_is_taught_it_is_told_what_it_would_do_by_itself() -> None:
+    project, watched = told(made(Rule("r", "a", (SEEN,), "b")), (("b", 1.0),), sees=1.0, near=5.0)
+    forest = from_table((1,), (AGENT,))
+    (reason,) = reasons(project, WORDS, {"agent-1": watched}, "agent-1", forest, taught={"agent-1"})
+    assert reason.sentence == (
+        "You decide now; by itself: A goes from a to b because it sees a box that still needs pullers"
+    )
 
 
 def test_what_was_edited_away_meanwhile_has_no_reason() -> None:
