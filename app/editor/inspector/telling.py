@@ -68,7 +68,7 @@ def tell(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, node: str
         return None
     hierarchy = snapshot.place.hierarchy
     view = snapshot.nodes[node]
-    found = reasons(project, vocabulary, snapshot.watched, node, hierarchy)
+    found = reasons(project, vocabulary, snapshot.watched, node, hierarchy, snapshot.taught)
     name = node_words(hierarchy.node(node))
     return Told(
         node,
