@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QPointF
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
 from ...sim.columns import AGENT
+from ..theme import text_font
 from .frame import Frame, load_radius
 from .ink import Ink
 
@@ -30,6 +32,40 @@ def paint_bodies(painter: QPainter, frame: Frame, ink: Ink) -> None:
             radius = _wide_enough(ink, words, true)
             if _in_view(frame, x[entity], y[entity], radius):
                 _paint_kept(painter, frame, ink, QPointF(x[entity], y[entity]), (words, radius, full))
+
+
+def paint_counts(painter: QPainter, frame: Frame, ink: Ink) -> None:
+    """The counts of loads that somebody holds once more, over who holds them."""
+    scene, look = frame.scene, frame.scene.place.look
+    span = scene.place.spans.get(look.loads)
+    if span is None or not look.got:
+        return
+    true = load_radius(scene, look.loads, frame.camera, frame.extent)
+    x, y = frame.places()
+    for entity, words, _ in _told(frame, look.loads, span) if true >= ROOM else ():
+        if words.startswith("0/") or not _in_view(frame, x[entity], y[entity], true):
+            continue
+        key = ("count", words, frame.palette.raised, frame.ratio)
+        pixmap = ink.pixmap(key, partial(_count, frame, words))
+        size = pixmap.deviceIndependentSize()
+        painter.drawPixmap(QPointF(x[entity] - size.width() / 2, y[entity] - size.height() / 2), pixmap)
+
+
+def _count(frame: Frame, words: str) -> QPixmap:
+    """Words with an edge that stands out from whatever is behind."""
+    path = QPainterPath()
+    path.addText(0.0, 0.0, text_font(WORDS), words)
+    box = path.boundingRect().adjusted(-2.0, -2.0, 2.0, 2.0)
+    pixmap = QPixmap(round(box.width() * frame.ratio), round(box.height() * frame.ratio))
+    pixmap.setDevicePixelRatio(frame.ratio)
+    pixmap.fill(QColor(0, 0, 0, 0))
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.translate(-box.topLeft())
+    painter.strokePath(path, QPen(QColor(frame.palette.raised), 3.0, j=Qt.PenJoinStyle.RoundJoin))
+    painter.fillPath(path, QColor(frame.palette.text))
+    painter.end()
+    return pixmap
 
 
 def _told(frame: Frame, kind: str, span: range) -> Iterator[tuple[int, str, bool]]:

@@ -79,8 +79,10 @@ def paint_groups(painter: QPainter, frame: Frame, colors: list[QColor]) -> None:
         x, y = hull_corners(frame, which)
         corners, few = np.stack((x, y), axis=2), len(which) <= SMOOTH
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, few)
+        lowest = forest_of(frame.scene.place).level[which] == 1
         for k, row in enumerate(which.tolist()):
-            _paint_hull(painter, corners[k], colors[row], filled=few)
+            filled = few and (bool(lowest[k]) or not frame.options.hulls)
+            _paint_hull(painter, corners[k], colors[row], filled=filled)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     links = shown_links(frame)
     if links.size:
@@ -89,8 +91,8 @@ def paint_groups(painter: QPainter, frame: Frame, colors: list[QColor]) -> None:
 
 def _paint_hull(painter: QPainter, corners: NDArray[np.float64], color: QColor, *, filled: bool) -> None:
     fill, edge = QColor(color), QColor(color)
-    fill.setAlphaF(0.10)
-    edge.setAlphaF(0.45)
+    fill.setAlphaF(0.08)
+    edge.setAlphaF(0.5)
     painter.setBrush(QBrush(fill) if filled else Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(edge, 1.0))
     draw_polygon(painter, corners)

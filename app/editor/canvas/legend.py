@@ -101,6 +101,7 @@ class Legend(QFrame):
     def _rebuild(self) -> None:
         for button in self.buttons.values():
             self._layout.removeWidget(button)
+            button.hide()
             button.deleteLater()
         self.buttons = {}
         used, left = 0, self._room - 90
@@ -109,6 +110,7 @@ class Legend(QFrame):
             button.setText(f"{entry.words} {count:,}")
             used += button.sizeHint().width() + 2
             if used > left:
+                button.hide()
                 button.deleteLater()
                 break
             self._layout.insertWidget(len(self.buttons), button)
@@ -161,7 +163,7 @@ class Legend(QFrame):
         colors = self._studio.theme.palette
         painter = QPainter(pixmap)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.translate(SWATCH / 2 - 0.5, SWATCH / 2)
+        painter.translate(SWATCH / 2 - (1.5 if entry.shape >= SHAPES else 0.0), SWATCH / 2)
         paint_agent(painter, Look(entry.color, entry.shape), Style(11.0, ratio, colors.raised, colors.text))
         painter.end()
         return QIcon(pixmap)

@@ -53,15 +53,22 @@ class Looking(QObject):
         )
         self.color_by = next((by for by in ColorBy if settings.flag(f"canvas_color_{by}")), ColorBy.CURRENT)
         self.lit: frozenset[str] = frozenset()
+        self._world: tuple[object, ...] = ()
         self._before: tuple[Camera, Extent, bool, bool] | None = None
 
     # ------------------------------------------------------------------------------------------- the camera
 
     def begin(self, scene: Scene) -> None:
-        """Look at another world, all of it."""
-        self.extent, self.fits, self.follows = scene.extent(), True, False
+        """Look at another world, all of it; at one that is only begun again, from where the user was."""
+        place = scene.place
+        same = (place.scenario, place.arm, place.look.width, place.look.height)
         self.lit, self._before = frozenset(), None
-        self._fit()
+        self.extent = scene.extent()
+        if same != self._world:
+            self._world = same
+            self.fits, self.follows = True, False
+        if self.fits:
+            self._fit()
         self.told.emit()
 
     def look_aside(self, scene: Scene) -> None:

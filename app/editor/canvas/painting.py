@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from .bodies import paint_bodies
+from .bodies import paint_bodies, paint_counts
 from .crowd import paint_agents, paint_ranges, paint_rings, paint_trails
 from .frame import Frame
 from .ground import paint_ground, paint_places
@@ -31,6 +31,7 @@ def paint(painter: QPainter, frame: Frame, ink: Ink, controllers: list[QColor]) 
     paint_bodies(painter, frame, ink)
     paint_ranges(painter, frame)
     paint_agents(painter, frame, ink)
+    paint_counts(painter, frame, ink)
     paint_rings(painter, frame, ink)
     _paint_choices(painter, frame)
     paint_band(painter, frame)
