@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QLineEdit,
@@ -65,24 +65,24 @@ class NodeDelegate(QStyledItemDelegate):
         if selected or hovered:
             whole = QRect(0, rect.top(), self._view.viewport().width(), rect.height())
             painter.fillRect(whole, mixed(colors.accent, colors.panel, 0.78 if selected else 0.92))
-        right = self._paint_doing(painter, rect, node)
+        metrics = QFontMetrics(text_font())
+        wanted = metrics.horizontalAdvance(str(index.data()))
+        right = self._paint_doing(painter, rect, node, rect.width() - wanted - 3 * GAP - SWATCH)
         painter.setFont(text_font())
         painter.setPen(QColor(colors.teach if node.id in self.troubled else colors.text))
-        space = right - rect.left() - GAP
-        name = painter.fontMetrics().elidedText(str(index.data()), Qt.TextElideMode.ElideRight, space)
+        name = metrics.elidedText(str(index.data()), Qt.TextElideMode.ElideRight, right - rect.left() - GAP)
         painter.drawText(rect.adjusted(4, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, name)
         if node.children:
-            self._paint_size(painter, rect, node, painter.fontMetrics().horizontalAdvance(name), right)
+            self._paint_size(painter, rect, node, wanted, right)
         painter.restore()
 
-    def _paint_doing(self, painter: QPainter, rect: QRect, node: Node) -> int:
-        """What it does, at the right; gives the place where that begins."""
+    def _paint_doing(self, painter: QPainter, rect: QRect, node: Node, room: int) -> int:
+        """What it does, at the right, in the *room* that the name leaves; gives the place where that begins."""
         doing, edge = self.doing(node.id), rect.right() - GAP
         if doing is None:
             return edge
         painter.setFont(text_font(CAPTION))
-        most = max(40, rect.width() // 2)
-        words = painter.fontMetrics().elidedText(doing.name, Qt.TextElideMode.ElideRight, most)
+        words = painter.fontMetrics().elidedText(doing.name, Qt.TextElideMode.ElideRight, max(0, room))
         width = painter.fontMetrics().horizontalAdvance(words)
         painter.setPen(self._studio.theme.color("dim"))
         painter.drawText(

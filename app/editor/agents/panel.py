@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, QTimer
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -19,23 +19,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...core.edits import (
-    add_node,
-    dissolve_node,
-    group_nodes,
-    move_nodes,
-    remove_node,
-    rename_node,
-)
-from ...core.errors import HierarchyError
 from ...core.hierarchy import Hierarchy, Node, problems
 from ...core.project import Arm, Value
 from ...engine.commands import Reset
 from ...engine.snapshots import Doing
 from ..forms.parts import Complaint
 from .delegate import NodeDelegate
-from .forest_model import ForestModel, apart, filtered
-from .moving import Move, moved
+from .forest_hand import ForestHand, forest_of
+from .forest_model import ForestModel, filtered
 from .rows import agent_rows
 from .tree import AgentTree
 
@@ -44,6 +35,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what the nodes do now.
 LIVE = 100
+#: Pixels below which names and facts have no room.
+NARROWEST = 210
 #: Actions of the context menu; an empty one is a line.
 MENU = ("node.rename", "node.group", "node.dissolve", "node.remove", "", "arm.settings")
 HELD = "The world keeps the forest and parameters it began with until Reset."
@@ -55,6 +48,7 @@ class AgentsPanel(QWidget):
     Attributes:
         filter: What a node's name, id or type has to contain.
         model, tree: The nodes.
+        hand: Changes the forest.
         held: Says that the world is of before an edit; `reset` begins it again.
     """
 
@@ -65,7 +59,8 @@ class AgentsPanel(QWidget):
         self._doing: Doing | None = None
         self._selecting = False
         self._parameters_before = self._parameters(studio.arm)
-        self.model = ForestModel(self._drop, self._rename_to)
+        self.hand = ForestHand(studio, self)
+        self.model = ForestModel(self._drop, self.hand.rename)
         self.tree = AgentTree()
         self.delegate = NodeDelegate(studio, self.tree)
         self.filter = QLineEdit()
@@ -119,6 +114,7 @@ class AgentsPanel(QWidget):
         column.addLayout(top)
         for part in (self.empty, self.tree, self.trouble, self.held):
             column.addWidget(part, 1 if part is self.tree else 0)
+        self.setMinimumWidth(NARROWEST)
         self.setFocusProxy(self.tree)
 
     def _connect(self) -> None:
@@ -153,7 +149,7 @@ class AgentsPanel(QWidget):
         ):
             return
         self._shown = shown
-        forest, trouble = _forest(arm)
+        forest, trouble = forest_of(arm)
         if not trouble and arm is not None:
             found = problems(forest, {node_type.name: node_type for node_type in types})
             self.delegate.troubled = frozenset(node for node, _ in found)
@@ -184,7 +180,7 @@ class AgentsPanel(QWidget):
         if snapshot is None or arm is None:
             self.held.hide()
             return
-        forest, _ = _forest(arm)
+        forest, _ = forest_of(arm)
         changed = forest is not snapshot.place.hierarchy and forest != snapshot.place.hierarchy
         self.held.setVisible(changed or self._parameters(arm) != self._parameters_before)
 
@@ -270,103 +266,14 @@ class AgentsPanel(QWidget):
             self._studio.selection.select_nodes(found)
             self.tree.setFocus()
 
-    # ------------------------------------------------------------------------------------------- editing
-
-    @property
-    def arm(self) -> str:
-        """The name of the arm that is shown; empty if there is none."""
-        arm = self._studio.arm
-        return "" if arm is None else arm.name
-
-    def _move_to(self, nodes: Sequence[str], under: str, to: int | None) -> bool:
-        return bool(self._studio.document.attempt(move_nodes, self.arm, nodes, under, to))
-
     def _drop(self, nodes: Sequence[str], under: str, to: int | None) -> bool:
-        return self._move_to(
-            nodes, under, None if self.filter.text() else to
-        )  # places among what is hidden are unknown
-
-    def _rename_to(self, node: str, name: str) -> bool:
-        return bool(self._studio.document.attempt(rename_node, self.arm, node, name))
+        known = not self.filter.text()  # places among what is hidden are unknown
+        return self.hand.move(nodes, under, to if known else None)
 
     def rename(self) -> None:
         """Let the user type a name for the current node."""
         self._studio.show_panel.emit("agents")
         self.tree.edit(self.tree.currentIndex())
-
-    def remove(self) -> None:
-        """Remove the selected nodes, with all below them."""
-        for node in apart(self.selected):
-            self._studio.document.attempt(remove_node, self.arm, node.id)
-
-    def add(self) -> None:
-        """Add a node under the selected controller, beside a selected agent, or among the roots."""
-        parent = self._controller_of(self.selected[-1]) if self.selected else None
-        types = self._studio.document.project.types
-        names = [t.name for t in types]
-        if parent is not None:
-            names = list(next((t.subsidiaries for t in types if t.name == parent.type), ()))
-        self._offer(names, lambda name: self._add_of(name, parent.id if parent is not None else ""))
-
-    def _controller_of(self, node: Node) -> Node | None:
-        if node.children:
-            return node
-        return self.model.node(self.model.find(node.id).parent())
-
-    def _add_of(self, type_name: str, under: str) -> None:
-        made = self._studio.document.attempt(add_node, self.arm, type_name, under)
-        self._select_made(made)
-
-    def group(self) -> None:
-        """Put the selected nodes under a new controller."""
-        nodes = apart(self.selected)
-        wanted = {node.type for node in nodes}
-        types = self._studio.document.project.types
-        fitting = [t.name for t in types if t.level and wanted <= set(t.subsidiaries)]
-        if not nodes:
-            self._studio.warn("select the agents or controllers that are to be a group")
-        elif not fitting:
-            self._studio.warn(
-                f"no node type may control {' and '.join(sorted(wanted))}; add one in Arms and worlds, Node types"
-            )
-        else:
-            ids = [node.id for node in nodes]
-            self._offer(
-                fitting,
-                lambda name: self._select_made(
-                    self._studio.document.attempt(group_nodes, self.arm, ids, name)
-                ),
-            )
-
-    def dissolve(self) -> None:
-        """Put the subsidiaries of the selected controllers in their own place."""
-        for node in apart(self.selected):
-            if node.children:
-                self._studio.document.attempt(dissolve_node, self.arm, node.id)
-
-    def shift(self, way: Move) -> None:
-        """Move the selected nodes up, down, out of their controller, or into the one before them."""
-        nodes = apart(self.selected)
-        plan = moved(_forest(self._studio.arm)[0], [node.id for node in nodes], way)
-        if plan is not None:
-            self._move_to([node.id for node in nodes], *plan)
-
-    def _select_made(self, made: object) -> None:
-        if isinstance(made, str):
-            self.follow()
-            self._studio.selection.select_nodes([made])
-
-    def _offer(self, names: Sequence[str], do: object) -> None:
-        """Do it with the only type there is, or let the user choose one."""
-        assert callable(do)
-        if len(names) == 1:
-            do(names[0])
-            return
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for name in names:
-            menu.addAction(name).triggered.connect(lambda _=False, name=name: do(name))
-        menu.popup(self.tree.viewport().mapToGlobal(QPoint(24, 24)))
 
     # --------------------------------------------------------------------------------------------- menus
 
@@ -386,13 +293,3 @@ class AgentsPanel(QWidget):
         self.follow()  # two keys may come before the tree has followed the first
         self._studio.actions.refresh()
         self._studio.actions[action].trigger()
-
-
-def _forest(arm: Arm | None) -> tuple[Hierarchy, str]:
-    """An arm's forest, and why it has none."""
-    if arm is None:
-        return Hierarchy(()), ""
-    try:
-        return arm.forest(), ""
-    except HierarchyError as error:
-        return Hierarchy(()), str(error)

@@ -23,6 +23,8 @@ from .tree import LibraryTree
 if TYPE_CHECKING:
     from ..studio import Studio
 
+#: Pixels below which names and facts have no room.
+NARROWEST = 210
 #: Actions of the context menu; an empty one is a line.
 MENU = (
     "behavior.open",
@@ -95,6 +97,7 @@ class LibraryPanel(QWidget):
         column.addLayout(top)
         column.addWidget(self.empty)
         column.addWidget(self.tree, 1)
+        self.setMinimumWidth(NARROWEST)
         self.setFocusProxy(self.tree)
 
     def _connect(self) -> None:
