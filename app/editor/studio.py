@@ -196,7 +196,8 @@ class Studio(QObject):
 
     def _watch(self) -> None:
         """Have snapshots show what the selected nodes, and the one that is taught, are about to decide."""
-        self.watching.want("studio", (*self.selection.nodes[-MOST_WATCHED:], self.teaching.node))
+        nodes, pupils = self.selection.nodes[-MOST_WATCHED:], self.teaching.nodes[:MOST_WATCHED]
+        self.watching.want("studio", (*nodes, *pupils, self.teaching.node))
 
     # ------------------------------------------------------------------------------------- undo and redo
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ...core.automaton import Automaton, Content
-from ...core.naming import fresh_id
+from ...core.naming import slug
 from ...engine.commands import Others, Pick, RunArm, ShouldNotHaveLeft, Step, Teach, Test
 from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot, TakenBack
 from ..selection import BehaviorKey
@@ -317,7 +318,8 @@ class Teaching(QObject):
             return ""
         used = {example.demonstration for example in project.examples_of(key.type, key.id)}
         used |= {demonstration.id for demonstration in project.demonstrations}
-        return fresh_id({*used, automaton.id}, automaton.id)
+        name = slug(automaton.name)
+        return next(free for n in count(1) if (free := f"{name}-{n}") not in used)
 
     # -------------------------------------------------------------------------------------------- hearing
 

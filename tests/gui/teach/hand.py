@@ -132,7 +132,9 @@ class Hand:
 
     def pick(self, name: str) -> None:
         """Click the button that says *name*; where there is no room for it, find it in the list."""
-        button = next(b for b in self.page.buttons.values() if b.text().rstrip("…") == name)
+        buttons = {button.text().rstrip("…"): button for button in self.page.buttons.values()}
+        assert name in buttons, f"{name} is not among {list(buttons)}"
+        button = buttons[name]
         if button.isVisible():
             self.act(lambda: self.click(button))
             return
