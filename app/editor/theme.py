@@ -141,8 +141,9 @@ QMainWindow::separator {{ background: {colors.hairline}; width: 2px; height: 2px
 QMainWindow::separator:hover {{ background: {colors.accent}; }}
 QStatusBar::item {{ border: none; }}
 QToolBar {{ background: {colors.background}; border: none; border-bottom: 1px solid {colors.hairline};
-    padding: 6px 8px; spacing: 6px; }}
-QToolBar::separator {{ background: {colors.hairline}; width: 1px; margin: 5px 6px; }}
+    padding: 6px 8px; spacing: 5px; }}
+QToolBar::separator {{ background: {colors.hairline}; width: 1px; margin: 5px 3px; }}
+QToolBar QToolButton {{ padding: 4px 7px; }}
 QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid {colors.hairline}; padding: 4px; }}
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from ...core.wording import state_words
 from .verdicts import Verdict
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ...core.examples import Example
     from .model import ExamplesModel, Subject
 
-#: What a box shows that filters nothing.
+#: What a box says that filters nothing, after what it is about.
 ANY = "any"
 
 
@@ -108,18 +108,16 @@ class FilterBar(QWidget):
         return test
 
     def _box(self, layout: QHBoxLayout, caption: str, tip: str) -> QComboBox:
-        label = QLabel(caption)
-        label.setProperty("role", "caption")
         box = QComboBox()
         box.setToolTip(tip)
         box.setAccessibleName(f"filter: {caption}")
-        box.setMinimumContentsLength(6)
-        box.setMaximumWidth(130)
+        box.setMinimumContentsLength(3)
+        box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        box.setMaximumWidth(150)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        box.addItem(ANY, None)
+        box.addItem(f"{caption}: {ANY}", None)
         box.activated.connect(lambda _: self.changed.emit())
-        layout.addWidget(label)
-        layout.addWidget(box)
+        layout.addWidget(box, 2)
         return box
 
 
@@ -129,9 +127,9 @@ def _fill(box: QComboBox, entries: Iterable[tuple[str, object]]) -> None:
     there = [(box.itemText(k), box.itemData(k)) for k in range(1, box.count())]
     if entries == there:
         return
-    chosen = box.currentData()
+    chosen, anything = box.currentData(), box.itemText(0)
     box.clear()
-    box.addItem(ANY, None)
+    box.addItem(anything, None)
     for text, value in entries:
         box.addItem(text, value)
     box.setCurrentIndex(max(0, box.findData(chosen)) if chosen is not None else 0)

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QWidget
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QTabWidget, QWidget
 
 from ..agents.panel import AgentsPanel
 from ..examples.panel import ExamplesPanel
 from ..graph.panel import GraphPanel
 from ..inspector.panel import InspectorPanel
 from ..library.panel import LibraryPanel
+from ..plots.panel import PlotsPanel
 from ..problems.panel import ProblemsPanel
 from ..teach.panel import TeachPanel
 from ..tree.panel import TreePanel
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 Area = Qt.DockWidgetArea
+#: Pixels that the left and right columns get at first.
+LEFT, RIGHT = 252, 372
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +70,9 @@ DOCKS: tuple[DockRow, ...] = (
         Area.BottomDockWidgetArea,
         under="teach",
         keys="Alt+7",
-        height=150,
+        height=190,
     ),
+    DockRow("plots", "Plots", PlotsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+9"),
     DockRow(
         "problems", "Problems", ProblemsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+8"
     ),
@@ -83,17 +87,23 @@ class Dock(QDockWidget):
         self.setObjectName(row.id)
         self.row = row
         self.setWidget(panel)
-        self.setTitleBarWidget(_Title(row.title))
-        for part in (panel, self.titleBarWidget()):
-            part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # the style sheet paints the ground of panels
+        self.title = _Title(row.title)
+        self._no_title = QWidget()
+        self.setTitleBarWidget(self.title)
+        for part in (panel, self.title):
+            # The style sheet paints the ground of panels.
+            part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         if hasattr(panel, "title_changed"):
             panel.title_changed.connect(self.setWindowTitle)
-        self.windowTitleChanged.connect(self._titled)
+        self.windowTitleChanged.connect(self.title.label.setText)
 
-    def _titled(self, title: str) -> None:
-        bar = self.titleBarWidget()
-        if isinstance(bar, _Title):
-            bar.label.setText(title)
+    def fold_title(self, *, folded: bool) -> None:
+        """Show no title, or show it: where docks are tabs, the tab says it already."""
+        wanted = self._no_title if folded else self.title
+        if self.titleBarWidget() is not wanted:
+            self.titleBarWidget().hide()
+            self.setTitleBarWidget(wanted)
+            wanted.show()
 
 
 class _Title(QWidget):
@@ -111,6 +121,7 @@ class _Title(QWidget):
 def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
     """Make all panels and put their docks where they stand at first."""
     docks: dict[str, Dock] = {}
+    window.setTabPosition(Area.AllDockWidgetAreas, QTabWidget.TabPosition.North)
     for row in DOCKS:
         dock = Dock(row, row.make(studio))
         docks[row.id] = dock
@@ -121,9 +132,12 @@ def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
         if row.tab_of:
             window.tabifyDockWidget(docks[row.tab_of], dock)
             docks[row.tab_of].raise_()
-    sized = [row for row in DOCKS if row.height]
-    window.resizeDocks(
-        [docks[row.id] for row in sized], [row.height for row in sized], Qt.Orientation.Vertical
-    )
-    window.resizeDocks([docks["library"], docks["graph"]], [250, 370], Qt.Orientation.Horizontal)
     return docks
+
+
+def size_docks(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+    """Give docks the sizes that they have at first; only a window on the screen can."""
+    sized = [row for row in DOCKS if row.height]
+    heights = [row.height for row in sized]
+    window.resizeDocks([docks[row.id] for row in sized], heights, Qt.Orientation.Vertical)
+    window.resizeDocks([docks["library"], docks["graph"]], [LEFT, RIGHT], Qt.Orientation.Horizontal)

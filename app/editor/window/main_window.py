@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
 
 from ..actions import MENUS, ActionRow, when_open
@@ -20,7 +20,7 @@ from ..documents.welcome import WelcomePage
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
-from .docks import DOCKS, Dock, place_docks
+from .docks import DOCKS, Dock, place_docks, size_docks
 from .messages import MessageBar
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
@@ -129,7 +129,12 @@ class MainWindow(QMainWindow):
         """Put all docks back where they stood at first."""
         self.restoreState(self._standard)
         for dock in self.docks.values():
-            dock.show()
+            dock.setVisible(self.studio.is_open)
+        self._size_docks_soon()
+
+    def _size_docks_soon(self) -> None:
+        """Docks that have just been shown take sizes only once they have been laid out."""
+        QTimer.singleShot(0, self, lambda: size_docks(self, self.docks))
 
     def _fold_titles(self) -> None:
         """Titles only where no tab says the same."""
@@ -223,7 +228,14 @@ class MainWindow(QMainWindow):
         if not settings.bytes_of("geometry").isEmpty():
             self.restoreGeometry(settings.bytes_of("geometry"))
         state = settings.bytes_of("state")
-        self.restoreState(state if not state.isEmpty() else self._standard)
+        if state.isEmpty() or not self.restoreState(state):
+            self.standard_layout()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Docks get their first sizes once they are on the screen."""
+        super().showEvent(event)
+        if self.studio.settings.bytes_of("state").isEmpty():
+            self._size_docks_soon()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close once nothing can be lost by it."""

@@ -31,6 +31,7 @@ class StatusBar(QStatusBar):
         self.notice = self._label()
         self.saved = QLabel()
         self.saved.setProperty("role", "caption")
+        self.saved.setContentsMargins(8, 2, 10, 2)
         self.addPermanentWidget(self.saved)
         self._timer = QTimer(self, interval=SLOWLY)
         self._timer.timeout.connect(self._slowly)

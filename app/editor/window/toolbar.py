@@ -136,7 +136,7 @@ class Toolbar(QToolBar):
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, len(SPEEDS) - 1)
         self.slider.setPageStep(1)
-        self.slider.setFixedWidth(96)
+        self.slider.setFixedWidth(88)
         self.slider.setToolTip("How fast time passes: 1 is 60 ticks a second (+ and -)")
         self.slider.setValue(SPEEDS.index(self._speed.chosen))
         self.slider.valueChanged.connect(lambda at: self._speed.choose(self._studio, SPEEDS[at]))
@@ -148,7 +148,7 @@ class Toolbar(QToolBar):
     def _add_seed(self) -> None:
         self._caption("Seed")
         self.seed = QLineEdit("1")
-        self.seed.setFixedWidth(58)
+        self.seed.setFixedWidth(52)
         self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
         self.seed.returnPressed.connect(self._reset)
         self.addWidget(self.seed)
@@ -158,8 +158,9 @@ class Toolbar(QToolBar):
         self.arm.setToolTip(
             "The arm: which agents and controllers there are, in which world, and what they run"
         )
-        self.arm.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.arm.setMaximumWidth(220)
+        self.arm.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.arm.setMinimumContentsLength(14)
+        self.arm.setMaximumWidth(200)
         self.arm.activated.connect(lambda _: self._studio.use_arm(self.arm.currentData()))
         self.before_arm = self.addWidget(self.arm)
 
