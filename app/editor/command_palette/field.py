@@ -41,7 +41,7 @@ class SearchField(QWidget):
         self.button = QPushButton("Search actions, behaviors, agents")
         self.button.setObjectName("search-field")
         self.button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.button.setMinimumSize(QSize(WIDTH, 26))
+        self.button.setMinimumSize(QSize(WIDTH, 22))
         self.button.clicked.connect(studio.actions["help.palette"].trigger)
         self._keys = QLabel(self.button)
         self._keys.setProperty("role", "caption")
@@ -51,7 +51,7 @@ class SearchField(QWidget):
         inner.addStretch(1)
         inner.addWidget(self._keys)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 3, 8, 3)
+        layout.setContentsMargins(0, 2, 8, 2)
         layout.addWidget(self.button)
         studio.theme.changed.connect(self._dress)
         studio.settings.changed.connect(self._dress)
@@ -63,4 +63,4 @@ class SearchField(QWidget):
         keys = action.shortcut()
         self._keys.setText(keys.toString(keys.SequenceFormat.NativeText).replace("+", " "))
         dim = self._studio.theme.palette.dim
-        self.button.setStyleSheet(f"text-align: left; padding: 2px 10px; color: {dim};")
+        self.button.setStyleSheet(f"text-align: left; padding: 1px 10px; color: {dim};")

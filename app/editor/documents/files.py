@@ -144,6 +144,7 @@ class Files(QObject):
         self._told = ()
         self.studio.open(project, scenario, held.folder, saved=saved, arm=arm)
         self.studio.document.read_only = held.read_only
+        self.studio.document.history_changed.emit()
         if recovered is not None and held.private is not None:
             self.studio.document.push("Recover what was autosaved", recovered)
             self.autosaving.adopt(held.private)

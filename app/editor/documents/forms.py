@@ -55,13 +55,14 @@ class Form:
         self.fine = QPushButton(fine)
         self.fine.setToolTip(tip)
         box.addButton(self.fine, QDialogButtonBox.ButtonRole.AcceptRole)
-        self.fine.setDefault(True)
+        box.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
         box.accepted.connect(dialog.accept)
         box.rejected.connect(dialog.reject)
         layout.addWidget(self._lead)
         layout.addLayout(self._rows)
         layout.addWidget(self.complaint)
         layout.addWidget(box)
+        self.fine.setDefault(True)  # it has to be in the dialog for that
 
     def lead(self, text: str) -> None:
         """Say something first."""
