@@ -7,7 +7,15 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from PySide6.QtCore import QAbstractItemModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QItemSelection,
+    QItemSelectionRange,
+    QMimeData,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+)
 
 from ...core.hierarchy import Hierarchy, Node
 from ...core.wording import node_words
@@ -17,6 +25,15 @@ MIME = "application/x-understudy-nodes"
 #: The `Node` of an index.
 NODE = int(Qt.ItemDataRole.UserRole)
 Index = QModelIndex | QPersistentModelIndex
+#: Qt asks for these ten thousand times where there are so many agents.
+_ANY = (
+    Qt.ItemFlag.ItemIsEnabled
+    | Qt.ItemFlag.ItemIsSelectable
+    | Qt.ItemFlag.ItemIsEditable
+    | Qt.ItemFlag.ItemIsDragEnabled
+)
+_CONTROLLER = _ANY | Qt.ItemFlag.ItemIsDropEnabled
+_AGENT = _ANY | Qt.ItemFlag.ItemNeverHasChildren
 
 
 @dataclass(slots=True)
@@ -94,6 +111,24 @@ class ForestModel(QAbstractItemModel):
             number = below[rows[step]]
         return self._index_of(number)
 
+    def spans(self, nodes: Iterable[str]) -> QItemSelection:
+        """The indexes of nodes, neighbors in one range: selections are slow by the number of ranges."""
+        rows: dict[int, list[int]] = {}
+        for node_id in nodes:
+            index = self.find(node_id)
+            if index.isValid():
+                rows.setdefault(self._entries[index.internalId()].parent, []).append(index.row())
+        found = QItemSelection()
+        for above, places in rows.items():
+            below, ordered = self._below(above), sorted(set(places))
+            first = 0
+            for k in range(1, len(ordered) + 1):
+                if k == len(ordered) or ordered[k] != ordered[k - 1] + 1:
+                    ends = (self._index_of(below[ordered[at]]) for at in (first, k - 1))
+                    found.append(QItemSelectionRange(*ends))
+                    first = k
+        return found
+
     def _index_of(self, number: int) -> QModelIndex:
         return QModelIndex() if number < 0 else self.createIndex(self._entries[number].row, 0, number)
 
@@ -112,7 +147,8 @@ class ForestModel(QAbstractItemModel):
 
     def parent(self, index: Index) -> QModelIndex:  # type: ignore[override]  # Qt's other parent() is QObject's
         """The controller of a node."""
-        return self._index_of(self._entries[index.internalId()].parent) if index.isValid() else QModelIndex()
+        above = self._entries[index.internalId()].parent if index.isValid() else -1
+        return QModelIndex() if above < 0 else self.createIndex(self._entries[above].row, 0, above)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as above
         """How many nodes stand under one."""
@@ -151,12 +187,9 @@ class ForestModel(QAbstractItemModel):
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Nodes can be renamed and dragged; controllers, and the space below all, take drops."""
-        node = self.node(index)
-        if node is None:
+        if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
-        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEditable
-        flags |= Qt.ItemFlag.ItemIsDragEnabled
-        return flags | (Qt.ItemFlag.ItemIsDropEnabled if node.children else Qt.ItemFlag.ItemNeverHasChildren)
+        return _CONTROLLER if self._entries[index.internalId()].node.children else _AGENT
 
     # ------------------------------------------------------------------------------------------ dragging
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt, QTimer
+from PySide6.QtCore import QItemSelectionModel, Qt, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -56,6 +56,11 @@ class AgentsPanel(QWidget):
         super().__init__()
         self._studio = studio
         self._shown: tuple[object, ...] = ()
+        self._compared = (
+            0,
+            0,
+            False,
+        )  # the ids of two forests, both alive while they count, and whether they differ
         self._doing: Doing | None = None
         self._selecting = False
         self._parameters_before = self._parameters(studio.arm)
@@ -180,8 +185,13 @@ class AgentsPanel(QWidget):
         if snapshot is None or arm is None:
             self.held.hide()
             return
-        forest, _ = forest_of(arm)
-        changed = forest is not snapshot.place.hierarchy and forest != snapshot.place.hierarchy
+        before = snapshot.place.hierarchy
+        if self._compared[:2] != (
+            id(arm.hierarchy),
+            id(before),
+        ):  # ten thousand nodes take a while to compare
+            self._compared = id(arm.hierarchy), id(before), forest_of(arm)[0] != before
+        changed = self._compared[2]
         self.held.setVisible(changed or self._parameters(arm) != self._parameters_before)
 
     def _parameters(self, arm: Arm | None) -> Mapping[str, Value]:
@@ -218,14 +228,7 @@ class AgentsPanel(QWidget):
     def _show_selected(self) -> None:
         if self._selecting:
             return
-        nodes = self._studio.selection.nodes
-        if nodes == self.selected_ids:
-            return
-        chosen = QItemSelection()
-        for node_id in nodes:
-            index = self.model.find(node_id)
-            if index.isValid():
-                chosen.select(index, index)
+        chosen = self.model.spans(self._studio.selection.nodes)
         self._selecting = True
         self.tree.selectionModel().select(chosen, QItemSelectionModel.SelectionFlag.ClearAndSelect)
         last = self.model.find(self._studio.selection.node)

@@ -243,24 +243,36 @@ def _used_by(project: Project) -> Mapping[RowKey, list[Use]]:
                 words = f"state {shown_state(automaton, state_id, library)} of {automaton.name}"
                 use = Use(words, RowKey(node_type.name, automaton.id), state_id)
                 found.setdefault(key, []).append(use)
+    directed = {
+        key.name for key in found if key.name
+    }  # most names are not, and asking who directs one takes long
+    tops = {arm.top for arm in project.arms}
     for node_type in project.types:
         for automaton in project.library(node_type.name).automata.values():
-            own = found.setdefault(RowKey(node_type.name, automaton.id), [])
-            for above in meanings(project, node_type.name, automaton.name):
-                directed = found.get(RowKey(above, name=automaton.name), ())
-                own += [replace(use, words=f"{use.words} ({above})") for use in directed]
-            own += [Use(f"arm {arm.name!r}") for arm, _ in starting(project, node_type.name, automaton.name)]
+            name = automaton.name
+            if name in directed or name in tops:
+                own = found.setdefault(RowKey(node_type.name, automaton.id), [])
+                own += _by_name(project, node_type.name, name, found)
     return found
+
+
+def _by_name(project: Project, type_name: str, name: str, found: Mapping[RowKey, list[Use]]) -> Iterator[Use]:
+    """The controllers and arms that know an automaton by its name."""
+    for above in meanings(project, type_name, name):
+        for use in found.get(RowKey(above, name=name), ()):
+            yield replace(use, words=f"{use.words} ({above})")
+    for arm, _ in starting(project, type_name, name):
+        yield Use(f"arm {arm.name!r}")
 
 
 def _held(type_name: str, automaton: Automaton) -> Iterator[tuple[RowKey, str]]:
     """What the states of an automaton hold, with the states."""
     for state in automaton.states:
-        match state.content:
-            case Nested(held):
-                yield RowKey(type_name, held), state.id
-            case Basic(name):
-                yield RowKey(type_name, name=name), state.id
+        content = state.content
+        if isinstance(content, Nested):
+            yield RowKey(type_name, content.automaton), state.id
+        elif isinstance(content, Basic):
+            yield RowKey(type_name, name=content.behavior), state.id
 
 
 def _uses(project: Project, type_name: str, automaton: Automaton) -> Iterator[Use]:
