@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ..core.errors import SessionError, UnderstudyError
 from ..sim.engine import Engine
 from .keyframes import Hand, Keyframe, Timeline
@@ -111,11 +113,20 @@ def _carry_out(engine: Engine, hand: Hand, timeline: Timeline | None) -> Keyfram
         engine.move(hand.entity, hand.x, hand.y)
         engine.columns()  # what cannot be shown is refused
     except UnderstudyError:
-        before.restore(engine)
+        if _differs(engine, before):  # a move that was refused outright has touched nothing
+            before.restore(engine)
         raise
     if timeline is not None:
         timeline.moved(hand)
     return before
+
+
+def _differs(engine: Engine, before: Keyframe) -> bool:
+    try:
+        now = engine.columns()
+    except UnderstudyError:
+        return True
+    return any(not np.array_equal(column, now[name]) for name, column in before.world.items())
 
 
 def _take_back(timeline: Timeline | None, hand: Hand) -> None:

@@ -1,17 +1,33 @@
 """Moves by hand: told as events, undone exactly if no tick has passed, and done again."""
 
+from copy import copy
+from math import nan
 from pathlib import Path
 
 import pytest
 
 from app.core.storage import load
 from app.engine.commands import MoveEntity, RedoMove, Reset, UndoMove, UseArm
+from app.engine.session import Session
 from app.engine.snapshots import Moved
+from app.sim.scenario import Scenario, World
 from app.sim.scenarios.foraging import scenario as foraging
+from tests.corridor import corridor
 from tests.driver import UNCOMPILED, Driver
 
 LAMP = 2
 FORAGING = Path(__file__).parents[3] / "projects" / "foraging"
+
+
+def spoiled() -> Scenario:
+    """The corridor, where who is dragged is nowhere."""
+    scenario = copy(corridor)
+    scenario.stages = {**corridor.stages, "moved": _lose}
+    return scenario
+
+
+def _lose(world: World, entity: int, x: float, _y: float) -> None:
+    world.x[entity] = x * 1e308 * 10.0
 
 
 def moved(driver: Driver, entity: int, x: float, y: float = 0.0) -> Moved:
@@ -129,3 +145,22 @@ def test_a_box_dragged_with_all_who_hold_it_comes_back_with_them() -> None:
     assert driver.look() != before
     driver.send(UndoMove(number))
     assert driver.look() == before
+
+
+def test_a_move_that_spoils_the_world_is_refused_and_the_world_is_as_it_was() -> None:
+    driver = Driver(scenario=spoiled()).advance(3)
+    assert "holds finite numbers" in driver.refused(MoveEntity(0, 40.0, 0.0))
+    assert driver.advance(2).place(1) == 5.0
+
+
+def test_a_refused_move_leaves_bodies_as_they_are() -> None:
+    moved_in, left_alone = (
+        Session(load(FORAGING), foraging, "independent", 1, settings={"physics": "rigid", **UNCOMPILED})
+        for _ in range(2)
+    )
+    for session in (moved_in, left_alone):
+        session.advance(40)
+    moved_in.send(MoveEntity(-1, 1.0, 1.0))
+    moved_in.send(MoveEntity(0, nan, 1.0))
+    assert len(moved_in.events()) == 2
+    assert moved_in.advance(60).world == left_alone.advance(60).world
