@@ -254,6 +254,11 @@ class Course:
         self._asked = again
         return again is not None
 
+    def _reconsider(self) -> None:
+        """Something has changed by the user's hand: if the question is none any more, time waits for the user."""
+        if self._asked is not None and not self._ask_again():
+            self._clock.pause()
+
     def _close_question(self) -> None:
         """Nothing is asked any more: time goes on as before."""
         self._asked = None

@@ -126,7 +126,7 @@ class Session(Course):
     def _(self, command: UseProject) -> None:
         project, lost = self._log.on_top(command.project, command.applied)
         self._use(project)
-        self._ask_again()
+        self._reconsider()
         self._events += [Interrupted(f"what was just taught could not be kept: {why}") for why in lost]
 
     @_obey.register
@@ -169,7 +169,7 @@ class Session(Course):
     @_obey.register
     def _(self, _: UndoPick) -> None:
         self._change(TakenBack(self._taught().undo().recorded))
-        self._ask_again()
+        self._reconsider()
 
     @_obey.register
     def _(self, _: Test) -> None:
@@ -241,7 +241,7 @@ class Session(Course):
     def _touched(self) -> None:
         """The world was changed by hand: a journey ends here, and a question may be another."""
         self._clock.stop_going()
-        self._ask_again()
+        self._reconsider()
 
     def _refuse_failed(self) -> None:
         if self._world.failure:

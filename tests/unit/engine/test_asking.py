@@ -255,6 +255,7 @@ def test_moving_what_it_sees_back_among_the_examples_closes_the_question_and_tim
     assert isinstance(driver.advance().told[-1], Asked)
     driver.send(RedoMove(move.number))
     assert driver.snapshot.asked is None
+    assert driver.reset().session.speed == 0.0
 
 
 def test_taking_back_the_pick_before_asks_about_what_is_then() -> None:
