@@ -4,13 +4,13 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ..editor.drawing.curves import Band, Chart, Dot, Key, Plot, Row
-from ..engine.experiments.findings import Findings, Summary
-from ..engine.experiments.load import ROWS, TICKS
-from ..engine.experiments.plan import Panel
-from ..engine.experiments.report import place
-from ..engine.experiments.statistics import NOTHING
-from .wording import counted, number
+from ...core.amounts import counted, number
+from ...engine.experiments.findings import Findings, Summary
+from ...engine.experiments.load import ROWS, TICKS
+from ...engine.experiments.plan import Panel
+from ...engine.experiments.report import place
+from ...engine.experiments.statistics import NOTHING
+from .curves import Band, Chart, Dot, Key, Plot, Row
 
 
 def chart_of(found: Findings) -> Chart:
