@@ -29,6 +29,7 @@ from .behaviors import (
 )
 from .calls import Caller, callers, users
 from .copying import Where, copy_states
+from .cuts import move_cut, remove_cut
 from .demonstrations import (
     add_demonstration,
     move_demonstration,
@@ -121,6 +122,7 @@ __all__ = [
     "forget_layout",
     "group_nodes",
     "move_arm",
+    "move_cut",
     "move_demonstration",
     "move_feature",
     "move_nodes",
@@ -134,6 +136,7 @@ __all__ = [
     "rebind_feature",
     "record_pick",
     "relabel_examples",
+    "remove_cut",
     "remove_demonstration",
     "remove_node",
     "remove_prune",

@@ -86,6 +86,7 @@ def remove_state(project: Project, type_name: str, automaton_id: str, state_id: 
         states=tuple(state for state in automaton.states if state.id != state_id),
         rules=tuple(rule for rule in automaton.rules if state_id not in (rule.source, rule.target)),
         prunes=_prunes_without(automaton.prunes, state_id),
+        cuts=tuple(cut for cut in automaton.cuts if cut.source != state_id),
         learned=learned,
         learned_from=automaton.learned_from if len(learned) == len(automaton.learned) else "",
     )

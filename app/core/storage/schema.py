@@ -184,6 +184,15 @@ class PruneRecord(Record):
     forbidden: list[str]
 
 
+class CutRecord(Record):
+    """A test of a learned tree whose numbers the user has moved."""
+
+    id: Name
+    source: str
+    guard: GuardRecord = []
+    test: Annotated[AtMostRecord | EqualsRecord | InArcRecord, Field(discriminator="kind")]
+
+
 class SettingsRecord(Record):
     """How an automaton learns and samples."""
 
@@ -215,6 +224,7 @@ class AutomatonRecord(Record):
     learned: dict[str, ModelRecord] = {}
     learned_from: str = ""
     prunes: list[PruneRecord] = []
+    cuts: list[CutRecord] = []
     settings: SettingsRecord = SettingsRecord()
     note: str = ""
 
@@ -226,6 +236,7 @@ class AutomatonRecord(Record):
             ("features", self.features),
             ("rules", self.rules),
             ("prunes", self.prunes),
+            ("cuts", self.cuts),
         ):
             complaints += doubles(name, [item.id for item in items])
         refuse([*complaints, *_start_is_first(self.states)])

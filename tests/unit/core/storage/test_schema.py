@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.core.automaton import Automaton, Prune, Refit, Rule, Settings, State
+from app.core.automaton import Automaton, Cut, Prune, Refit, Rule, Settings, State
 from app.core.conditions import AtMost, Equals, InArc
 from app.core.examples import Example
 from app.core.features import FeatureUse, FlagUp, Sense, Statistic
@@ -23,6 +23,7 @@ PAIRS: dict[Any, type[Record]] = {
     State: schema.StateRecord,
     Rule: schema.RuleRecord,
     Prune: schema.PruneRecord,
+    Cut: schema.CutRecord,
     Settings: schema.SettingsRecord,
     Refit: schema.RefitRecord,
     FlatTree: TreeRecord,
