@@ -64,7 +64,8 @@ class Past(Protocol):
 
     Attributes:
         tick: Its number.
-        left: The nodes that left a state other than Start by themselves, at their top, with the automata that they run.
+        left: The nodes that left a state other than Start at their top, with the automata that they run; only nodes
+            without a controller that ticked, since who has one may have been directed.
     """
 
     tick: int

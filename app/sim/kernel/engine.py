@@ -96,7 +96,7 @@ class KernelEngine:
                 return
             before = self._run(min(goal - self.tick, most), control, still)
             if heard and before is not None:
-                self._look_back(before, control)
+                self._look_back(before, control, still)
 
     def _run(self, ticks: int, control: Control, still: Column) -> FlatCopy | None:
         """Pass ticks in the kernel and return what was before them.
@@ -119,9 +119,9 @@ class KernelEngine:
         self._reference.step(1, control)
         return None
 
-    def _look_back(self, before: FlatCopy, control: Control) -> None:
+    def _look_back(self, before: FlatCopy, control: Control, still: Column) -> None:
         assert self._lowered is not None
-        past = self._lowered.lookout.past(before, self._flat.now(), control)
+        past = self._lowered.lookout.past(before, self._flat.now(), control, still)
         if past is not None and self.departed is not None:
             self.departed(past)
 

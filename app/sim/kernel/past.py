@@ -7,7 +7,7 @@ import numpy as np
 from ...core.actor import Actor
 from ...core.machine import Machine, Senses
 from ..engine import Control, Start
-from ..program.tables import Program
+from ..program.tables import Column, Program
 from ..scenario import World
 from ..sensing import WorldSenses
 from ..world import TICK, FrozenWorld
@@ -37,13 +37,18 @@ class Lookout:
         self._machine: Machine | None = None
         self._leaving: Replayed | None = None
 
-    def past(self, before: FlatCopy, after: FlatCopy, control: Control) -> "KernelPast | None":
-        """The tick between two moments, if somebody has left a state in it."""
+    def past(self, before: FlatCopy, after: FlatCopy, control: Control, still: Column) -> "KernelPast | None":
+        """The tick between two moments, if somebody has left a state in it.
+
+        Args:
+            still: The rows of the nodes that stood still in it.
+        """
         levels, tables = self.program.sizes.levels, self.program.columns
         state, what = before.runs["state"][::levels], before.runs["what"][::levels]
         changed = (state != after.runs["state"][::levels]) & (what >= 0) & (before.runs["depth"] > 0)
         rows = np.flatnonzero(changed)
-        rows = rows[state[rows] != tables["start"][what[rows]]]
+        parents = tables["parent"][rows]
+        rows = rows[(state[rows] != tables["start"][what[rows]]) & ((parents < 0) | np.isin(parents, still))]
         if not len(rows):
             return None
         nodes, automata = self.program.nodes, self.program.automata
@@ -68,7 +73,7 @@ class KernelPast:
 
     Attributes:
         tick: Its number.
-        left: The nodes that left a state other than Start, with the automata that they run, in their order.
+        left: See `app.sim.engine.Past`; in the order in which they ticked.
     """
 
     def __init__(
