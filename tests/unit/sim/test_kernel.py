@@ -154,7 +154,7 @@ def test_a_tick_that_has_passed_can_be_looked_back_on() -> None:
         past.replay(lambda _machine, actor, said=replayed: said.append(actor.node.id))  # type: ignore[misc]
         assert {node for node, _ in past.left} <= set(replayed)
     states = {(tick, node): state for tick, node, state in told}
-    for past, node, automaton in [(past, *left) for past in pasts for left in past.left]:
+    for past, node, automaton in [(tick, *left) for tick in pasts for left in tick.left]:
         machine, senses = past.watch([node])
         run = machine.actors[node].run
         assert run is not None
