@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from ...core.edits import delete_automaton, users
 from ...core.vocabulary import BasicBehavior
 from ..forms.choosing import Choice, Chooser
+from ..forms.parts import framed
 from ..selection import BehaviorKey
 
 if TYPE_CHECKING:
@@ -60,6 +61,7 @@ class ReplaceDialog(QDialog):
         listed.setAccessibleName(f"Who uses {doomed.name}")
         listed.addItems(using)
         listed.setMaximumHeight(160)
+        framed(listed, studio.theme)
         self.chooser = Chooser("Replacement", "choose a replacement")
         self.chooser.offer(self._choices())
         self.chooser.chosen.connect(lambda _: self.delete.setEnabled(self.chooser.choice is not None))

@@ -113,6 +113,8 @@ class LibraryPanel(QWidget):
         self.filter.textChanged.connect(self._filtered)
         self.filter.returnPressed.connect(self._enter_tree)
         self.tree.asked.connect(self._asked)
+        self.tree.released.connect(lambda: self._current_changed(self.tree.currentIndex()))
+        self.tree.dragged.connect(self._show_selected)
         self.tree.menu_wanted.connect(self._show_menu)
         self.tree.activated.connect(self._activated)
         self.tree.selectionModel().currentChanged.connect(self._current_changed)
@@ -187,7 +189,7 @@ class LibraryPanel(QWidget):
 
     def _current_changed(self, index: QModelIndex) -> None:
         row = self._row(index)
-        if row is None or not row.is_automaton or self._selecting:
+        if row is None or not row.is_automaton or self._selecting or self.tree.pressing:
             return
         key = BehaviorKey(row.key.type, row.key.id)
         if key != self._studio.selection.behavior:  # otherwise the state that is shown stays

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QTreeView
 
 
@@ -13,13 +13,21 @@ class LibraryTree(QTreeView):
     Signals:
         asked: A key asked for an action, by its id.
         menu_wanted: The context menu is wanted at this place of the screen.
+        released: A press ended without a drag.
+        dragged: A drag has ended.
+
+    Attributes:
+        pressing: The mouse is down: whether it selects or drags is not known yet.
     """
 
     asked = Signal(str)
     menu_wanted = Signal(QPoint)
+    released = Signal()
+    dragged = Signal()
 
     def __init__(self) -> None:
         super().__init__()
+        self.pressing = False
         self.setObjectName("library-tree")
         self.setAccessibleName("Behaviors")
         self.setHeaderHidden(True)
@@ -50,6 +58,24 @@ class LibraryTree(QTreeView):
             return
         event.accept()
         self.asked.emit(wanted)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Wait: what is dragged into a graph must not change what the graph shows."""
+        self.pressing = event.button() == Qt.MouseButton.LeftButton
+        super().mousePressEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """It was a click."""
+        super().mouseReleaseEvent(event)
+        if self.pressing:
+            self.pressing = False
+            self.released.emit()
+
+    def startDrag(self, actions: Qt.DropAction) -> None:
+        """It is a drag."""
+        super().startDrag(actions)
+        self.pressing = False
+        self.dragged.emit()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """By the right button or the menu key."""

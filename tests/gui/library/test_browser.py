@@ -238,6 +238,16 @@ def test_a_dragged_behavior_says_what_it_is(panel: LibraryPanel) -> None:
     assert json.loads(bytes(basic.data(MIME).data())) == {"type": "agent", "id": "", "name": "Forward"}
 
 
+def test_what_is_dragged_is_not_selected(panel: LibraryPanel, studio: Studio, qtbot: QtBot) -> None:
+    shown_before = studio.selection.behavior
+    where = spot(panel, GOTO)
+    qtbot.mousePress(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=where)
+    assert studio.selection.behavior == shown_before
+    panel.tree.dragged.emit()
+    assert panel.tree.currentIndex().data() == "Forage"
+    qtbot.mouseRelease(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=where)
+
+
 def test_enter_opens_the_graph(panel: LibraryPanel, studio: Studio, qtbot: QtBot) -> None:
     click(panel, qtbot, GOTO)
     with qtbot.waitSignal(studio.show_panel) as shown_panel:
