@@ -18,6 +18,8 @@ from .coloring import BASICS, IDLES, SHAPES
 HEADINGS = 64
 #: Pixels: below, an agent is a dot; above, it does not grow any more.
 DOT, LARGEST = 5.0, 40.0
+#: The contrast to the ground from which on a color needs no edge.
+CONTRAST = 4.0
 
 #: An arrowhead of length 1 that points along x.
 _ARROW = ((0.55, 0.0), (-0.45, 0.36), (-0.22, 0.0), (-0.45, -0.36))
@@ -46,7 +48,7 @@ class Style:
     Attributes:
         size: Length of an arrow, pixels of the view.
         ratio: Pixels of the screen to one of the view.
-        ground: Color behind them, as a name; on a light ground they have a darker edge.
+        ground: Color behind them, as a name.
         text: Color that stands out from the ground.
     """
 
@@ -125,9 +127,16 @@ def paint_agent(painter: QPainter, look: Look, style: Style) -> None:
 
 
 def _edge(color: QColor, style: Style) -> QColor:
-    """A bright color needs an edge on a bright ground."""
-    light = QColor(style.ground).lightnessF() > 0.5
-    return mixed(color.name(), style.text, 0.45) if light else color
+    """A color that hardly stands out from the ground needs an edge that does."""
+    dark, bright = sorted((_luminance(color), _luminance(QColor(style.ground))))
+    faint = (bright + 0.05) / (dark + 0.05) < CONTRAST
+    return mixed(color.name(), style.text, 0.45) if faint else color
+
+
+def _luminance(color: QColor) -> float:
+    """As the guidelines for accessible content define it, from 0 to 1; gamma rounded to 2.2."""
+    red, green, blue = (part**2.2 for part in (color.redF(), color.greenF(), color.blueF()))
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def _body(shape: int, size: float) -> QPainterPath:

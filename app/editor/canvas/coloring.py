@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 
+from ...engine.place import Place
 from ...sim.doing import NONE, BehaviorRef, Doing, Rows
 from ..behavior_colors import BehaviorColors, nth_color
 from ..palette import BASIC
@@ -170,7 +172,11 @@ def _one_a_name(
 
 def _by_group(scene: Scene) -> tuple[tuple[Entry, ...], NDArray[np.int64]]:
     """Colors by an agent's own controller."""
-    place = scene.place
+    return _groups_of(scene.place)
+
+
+@lru_cache(maxsize=2)  # the live world's, and a stored moment's
+def _groups_of(place: Place) -> tuple[tuple[Entry, ...], NDArray[np.int64]]:
     parents = place.hierarchy.parents()
     groups = list(dict.fromkeys(parents[agent] for agent in place.agents if agent in parents))
     number = {group: k for k, group in enumerate(groups)}

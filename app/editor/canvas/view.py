@@ -88,7 +88,7 @@ class WorldCanvas(Surface):
         studio.teaching.changed.connect(self._refresh_badge)
         studio.teaching.choose_requested.connect(self._choose_target)
         studio.teaching.choose_ended.connect(self.hand.stop_asking)
-        studio.teaching.follow_requested.connect(self.follow)
+        studio.teaching.follow_requested.connect(self._turn_to)
         self.entity_chosen.connect(studio.teaching.choosing.entity_chosen)
         self.choosing_ended.connect(studio.teaching.choosing.cancel)
         self.looking.changed.connect(self.update)
@@ -112,7 +112,7 @@ class WorldCanvas(Surface):
             self.looking.extent,
             coloring,
             self._studio.theme.palette,
-            self._trails,
+            self._trails if self.is_live else Trails(),
             self.looking.options,
             self._studio.selection.nodes if self.is_live else (self._moment_node,),
             snapshot.taught if is_taught and snapshot is not None else frozenset(),
@@ -149,6 +149,8 @@ class WorldCanvas(Surface):
             self.hover()
 
     def _show(self, scene: Scene) -> None:
+        if self.scene is None:
+            self.looking.begin(scene)
         self.scene = scene
         if not self._counting.isActive():
             self._counting.start()
@@ -192,6 +194,14 @@ class WorldCanvas(Surface):
         self.legend.begin()
         self._count()
         self.update()
+
+    def _turn_to(self, node: str) -> None:
+        """It is the turn of another node: it has to be in view, which it is as long as all of the world is."""
+        selection = self._studio.selection
+        if selection.node != node:
+            selection.select_nodes((*(other for other in selection.nodes if other != node), node))
+        if not self.looking.fits:
+            self.looking.follow(on=True)
 
     # ------------------------------------------------------------------------------------- stored moments
 

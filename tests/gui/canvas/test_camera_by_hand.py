@@ -89,3 +89,25 @@ def test_the_buttons_zoom(pilot: Pilot, action: str, *, larger: bool) -> None:
     button = pilot.canvas.camera_buttons.findChildren(QToolButton)[place]
     pilot.qtbot.mouseClick(button, LEFT)
     assert (pilot.canvas.looking.camera.scale > before) is larger
+
+
+def test_the_view_turns_to_whose_turn_it_is_unless_all_of_the_world_is_in_view(pilot: Pilot) -> None:
+    agents = pilot.snapshot.place.agents
+    pilot.studio.selection.select_nodes(agents[:2])
+    before = pilot.canvas.looking.camera
+    pilot.studio.teaching.follow_requested.emit(agents[0])
+    assert pilot.selected == [agents[1], agents[0]]
+    assert pilot.canvas.looking.camera == before
+    pilot.wheel(QPoint(300, 200), 3)
+    pilot.studio.teaching.follow_requested.emit(agents[1])
+    pilot.send(Step())
+    camera = pilot.canvas.looking.camera
+    assert camera.x == pytest.approx(pilot.snapshot.columns["x"][1])
+
+
+def test_a_reset_looks_from_where_the_user_was(pilot: Pilot) -> None:
+    pilot.wheel(QPoint(300, 200), 3)
+    before, place = pilot.canvas.looking.camera, pilot.snapshot.place
+    pilot.key(Qt.Key.Key_R, CONTROL)
+    pilot.wait(lambda: pilot.snapshot.place is not place)
+    assert pilot.canvas.looking.camera == before
