@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
@@ -33,8 +33,25 @@ class ForestHand:
         arm = self._studio.arm
         return "" if arm is None else arm.name
 
+    def why_not(self, nodes: Iterable[str], under: str) -> str:
+        """Why nodes may not stand under a controller, by their types; empty if they may."""
+        if not under:
+            return ""
+        model = self._panel.model
+        controller = model.node(model.find(under))
+        types = {t.name: t.subsidiaries for t in self._studio.document.project.types}
+        kinds = {node.type for n in nodes if (node := model.node(model.find(n))) is not None}
+        if controller is None or kinds <= set(types.get(controller.type, ())):
+            return ""
+        wrong = sorted(kinds - set(types.get(controller.type, ())))
+        allowed = ", ".join(types.get(controller.type, ())) or "none"
+        return f"{wrong[0]!r} may not stand under {controller.type!r}; allowed: {allowed}"
+
     def move(self, nodes: Sequence[str], under: str, to: int | None) -> bool:
         """Put nodes under a controller, or among the roots if that is empty; whether that was possible."""
+        if problem := self.why_not(nodes, under):
+            self._studio.warn(problem)
+            return False
         return bool(self._studio.document.attempt(move_nodes, self.arm, nodes, under, to))
 
     def rename(self, node: str, name: str) -> bool:

@@ -53,16 +53,19 @@ class ForestModel(QAbstractItemModel):
     Args:
         move: Puts nodes under a controller, or among the roots if that is empty, at a place or last; whether it could.
         rename: Gives a node another name; whether it could.
+        why_not: Why nodes may not stand under a controller; empty if they may.
     """
 
     def __init__(
         self,
         move: Callable[[Sequence[str], str, int | None], bool],
         rename: Callable[[str, str], bool],
+        why_not: Callable[[Sequence[str], str], str],
     ) -> None:
         super().__init__()
         self._move = move
         self._rename = rename
+        self._why_not = why_not
         self._entries: list[_Entry] = []
         self._roots: list[int] = []
         self._root_rows: dict[str, int] = {}
@@ -211,9 +214,11 @@ class ForestModel(QAbstractItemModel):
     def canDropMimeData(
         self, data: QMimeData, _action: Qt.DropAction, _row: int, _column: int, parent: Index
     ) -> bool:
-        """Nodes can be dropped on controllers, and beside roots."""
+        """Nodes can be dropped on controllers that may have them, and beside roots."""
         node = self.node(parent)
-        return data.hasFormat(MIME) and (node is None or bool(node.children))
+        if not data.hasFormat(MIME):
+            return False
+        return node is None or (bool(node.children) and not self._why_not(_ids(data), node.id))
 
     def dropMimeData(
         self, data: QMimeData, _action: Qt.DropAction, row: int, _column: int, parent: Index
@@ -221,12 +226,16 @@ class ForestModel(QAbstractItemModel):
         """Move the nodes; the edit moves the rows, so the view must not."""
         if not data.hasFormat(MIME):
             return False
-        ids = [str(node) for node in json.loads(bytes(data.data(MIME).data()).decode())]
+        ids = _ids(data)
         under = self.node(parent)
         siblings = self.forest.roots if under is None else under.children
         before = sum(node.id in ids for node in siblings[: max(0, row)])
         self._move(ids, under.id if under else "", None if row < 0 else row - before)
         return False
+
+
+def _ids(data: QMimeData) -> list[str]:
+    return [str(node) for node in json.loads(bytes(data.data(MIME).data()).decode())]
 
 
 def apart(nodes: Iterable[Node]) -> tuple[Node, ...]:

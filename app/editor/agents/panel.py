@@ -65,7 +65,7 @@ class AgentsPanel(QWidget):
         self._selecting = False
         self._parameters_before = self._parameters(studio.arm)
         self.hand = ForestHand(studio, self)
-        self.model = ForestModel(self._drop, self.hand.rename)
+        self.model = ForestModel(self._drop, self.hand.rename, self.hand.why_not)
         self.tree = AgentTree()
         self.delegate = NodeDelegate(studio, self.tree)
         self.filter = QLineEdit()

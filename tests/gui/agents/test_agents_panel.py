@@ -166,6 +166,21 @@ def test_dropped_nodes_move_under_the_controller(panel: AgentsPanel, studio: Stu
     assert studio.document.history.undo_text == "Move nodes in arm one level"
 
 
+def test_a_controller_does_not_take_what_may_not_stand_under_it(
+    panel: AgentsPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    before = studio.document.project
+    dragged = panel.model.mimeData([panel.model.find("group-1")])
+    under = panel.model.find("group-3")
+    assert not panel.model.canDropMimeData(dragged, Qt.DropAction.MoveAction, -1, -1, under)
+    click(panel, qtbot, "group-2")
+    with qtbot.waitSignal(studio.said) as said:
+        qtbot.keyClick(panel.tree, Qt.Key.Key_Right, ALT)
+    assert said.args is not None
+    assert "'group' may not stand under 'group'; allowed: agent" in said.args[0].text
+    assert studio.document.project is before
+
+
 def test_a_wrong_forest_is_told_at_the_place(panel: AgentsPanel, studio: Studio, qtbot: QtBot) -> None:
     wrong = Hierarchy((Node("boss", "group", (Node("g", "group", (Node("a", "agent"),)),)),))
     studio.document.do(set_hierarchy, "one level", wrong)
@@ -192,7 +207,7 @@ def test_the_filter_keeps_what_is_found_and_enter_selects_it(
 
 
 def test_ten_thousand_agents_are_made_only_as_they_are_looked_at() -> None:
-    model = ForestModel(lambda *_: True, lambda *_: True)
+    model = ForestModel(lambda *_: True, lambda *_: True, lambda *_: "")
     model.show(from_table([100, 100], ["group", "agent"]))
     assert model.rowCount() == 100
     assert len(model._entries) == 100
