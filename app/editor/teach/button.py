@@ -69,7 +69,7 @@ class BehaviorButton(QAbstractButton):
         """As wide as its words."""
         name = QFontMetricsF(text_font()).horizontalAdvance(self.text())
         caption = QFontMetricsF(text_font(CAPTION - 1)).horizontalAdvance(self._caption)
-        words = min(LONGEST_NAME, max(name, caption)) + 2
+        words = min(LONGEST_NAME, max(name, caption)) + 6
         key = KEY + GAP if self.key else 0
         return QSize(round(EDGE + SWATCH + GAP + words + key + EDGE), HEIGHT)
 

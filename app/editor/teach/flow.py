@@ -1,4 +1,4 @@
-"""Buttons in rows: those that must be there wrap, those that may be there fill what is left of the last row."""
+"""Buttons in rows: those that must be there, and as many of those that may be there as there is room for."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QWidget
 GAP = 6
 #: So many rows are shown; the others are scrolled to.
 MOST_ROWS, ROW = 3, 40
+#: What may be there makes no more rows than these.
+EXTRA_ROWS = 2
 
 
 class ButtonFlow(QWidget):
@@ -33,7 +35,7 @@ class ButtonFlow(QWidget):
         self.setSizePolicy(policy)
 
     def hold(self, needed: Sequence[QWidget], extra: Sequence[QWidget], last: Sequence[QWidget]) -> None:
-        """Hold *needed* and *last* always, and between them as many of *extra* as there is room for in the last row."""
+        """Hold *needed* and *last* always, and between them as many of *extra* as there is room for."""
         self._needed, self._extra, self._last = tuple(needed), tuple(extra), tuple(last)
         order = (*needed, *extra, *last)
         for widget in order:
@@ -79,26 +81,28 @@ class ButtonFlow(QWidget):
             widget.setVisible(widget in placed)
 
     def _placed(self, width: int) -> dict[QWidget, QRect]:
-        always = (*self._needed, *self._last)
-        ends = sum(w.sizeHint().width() + GAP for w in self._last)
         placed: dict[QWidget, QRect] = {}
-        x = y = row = 0
+        at = 0, 0, 0
         for widget in self._needed:
-            x, y, row = _put(placed, widget, x, y, row, width)
+            at = _put(placed, widget, *at, width)
+        lowest = max(at[1], (EXTRA_ROWS - 1) * (ROW + GAP))
         for widget in self._extra:
-            if x + widget.sizeHint().width() + GAP + ends - GAP > width:
+            beyond = _put({}, widget, *at, width)
+            for other in self._last:
+                beyond = _put({}, other, *beyond, width)
+            if beyond[1] > lowest:
                 break
-            x, y, row = _put(placed, widget, x, y, row, width)
+            at = _put(placed, widget, *at, width)
         for widget in self._last:
-            x, y, row = _put(placed, widget, x, y, row, width)
-        return placed if always or self._extra else {}
+            at = _put(placed, widget, *at, width)
+        return placed
 
 
 def _put(
     placed: dict[QWidget, QRect], widget: QWidget, x: int, y: int, row: int, width: int
 ) -> tuple[int, int, int]:
     """Put a widget behind the others, or in a new row; where the next one goes."""
-    size = widget.sizeHint()
+    size = widget.sizeHint().expandedTo(widget.minimumSize())
     if x and x + size.width() > width:
         x, y, row = 0, y + row + GAP, 0
     placed[widget] = QRect(x, y, size.width(), size.height())

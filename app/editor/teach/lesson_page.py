@@ -50,10 +50,11 @@ class LessonPage(QWidget):
         self.turn = QLabel()
         self.next = self._action_button("teach.next")
         self.mend = self._action_button("teach.mend")
-        self.targets = TargetRow(studio)
-        self.last = Told(studio.theme)
         self.badge = QLabel()
         self.badge.setObjectName("badge")
+        self._teaching.choosing.changed.connect(self._make_room)  # before the row takes it
+        self.targets = TargetRow(studio)
+        self.last = Told(studio.theme)
         self.options = self._options_button()
         self._lay_out()
         self._connect()
@@ -241,6 +242,12 @@ class LessonPage(QWidget):
         self.mend.setVisible(teaching.lesson is not None and teaching.lesson.testing and not adding)
         self.badge.setVisible(not adding)
         self.last.setText(self._last_words())
+
+    def _make_room(self) -> None:
+        """Hide what is not needed while targets of a new state are chosen."""
+        if self._teaching.choosing.adding is not None:
+            for widget in (self.turn, self.next, self.mend, self.badge):
+                widget.hide()
 
     def _last_words(self) -> str:
         teaching, document = self._teaching, self._studio.document

@@ -1,5 +1,7 @@
 """Ask me: in a test the run stops where a node is not sure, and the answer is an example."""
 
+from math import inf
+
 import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
@@ -8,7 +10,7 @@ from app.core.edits import add_automaton, add_feature
 from app.core.features import Sense
 from app.editor.teach.ask_control import AskControl
 from app.editor.window.main_window import MainWindow
-from app.engine.snapshots import Mode
+from app.engine.snapshots import Asked, Mode
 from tests.gui.teach.hand import Hand
 
 
@@ -43,6 +45,12 @@ def switch_on(hand: Hand, below: int) -> None:
 
 def wait_for_question(hand: Hand) -> None:
     hand.wait(lambda: hand.snapshot.asked is not None)
+    hand.settle()
+
+
+def wait_for_another(hand: Hand, asked: Asked | None, until: float = inf) -> None:
+    """Wait for another question, or none, or a tick."""
+    hand.wait(lambda: hand.snapshot.asked is not asked or hand.snapshot.tick >= until)
     hand.settle()
 
 
@@ -87,10 +95,7 @@ def test_it_may_decide_by_itself_and_is_not_asked_about_the_same_again(unsure: H
         if asked is not None:
             states.append(asked.state)
             unsure.click(unsure.panel.question.let_go)
-        unsure.wait(
-            lambda asked=asked: unsure.snapshot.asked is not asked or unsure.snapshot.tick >= tick + 60
-        )
-        unsure.settle()
+        wait_for_another(unsure, asked, tick + 60)
     assert "forward" in states
     assert len(states) == len(set(states))
     assert len(unsure.examples) == before
@@ -129,5 +134,5 @@ def test_the_node_that_asks_does_not_become_the_only_one_that_is_asked_about(
         asking.add(unsure.snapshot.asked.node)
         asked = unsure.snapshot.asked
         unsure.click(unsure.panel.question.let_go)
-        unsure.wait(lambda asked=asked: unsure.snapshot.asked is not asked)
+        wait_for_another(unsure, asked)
     assert asking == {"agent-3", "agent-4"}

@@ -117,7 +117,7 @@ def test_escape_gives_up_a_target_first_and_ends_the_lesson_then(hand: Hand) -> 
     assert not hand.studio.teaching.choosing.is_busy
     assert hand.studio.mode is Mode.TEACHING
     hand.act(lambda: hand.key(Qt.Key.Key_Escape))
-    assert hand.studio.mode is Mode.RUNNING
+    hand.wait(lambda: hand.studio.mode is Mode.RUNNING)
 
 
 def test_a_pick_can_step_on_while_time_stands_still(hand: Hand) -> None:

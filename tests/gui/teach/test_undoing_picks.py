@@ -14,7 +14,9 @@ from tests.gui.teach.hand import CONTROL, SHIFT, Hand
 def session_of(hand: Hand) -> Session:
     engine = hand.studio.bridge._engine
     assert engine is not None
-    return engine._session  # type: ignore[union-attr]
+    session = engine._session
+    assert session is not None
+    return session
 
 
 def same_everywhere(hand: Hand) -> None:
