@@ -148,7 +148,7 @@ def _behavior_entries(refs: Sequence[BehaviorRef], by: ColorBy, colors: Behavior
     basics = sorted({ref.name for ref in refs if not ref.id})
     entries = []
     for ref in refs:
-        shape = RUNS if ref.id else BASICS
+        shape = RUNS if ref.id or by is ColorBy.BASIC else BASICS  # at the end of a path, mostly
         if ref.id or by is not ColorBy.BASIC:
             color = colors.color(ref.type, ref.id)
         else:

@@ -107,7 +107,7 @@ class Legend(QFrame):
         used, left = 0, self._room - 90
         for entry, count in self._rows[:MOST]:
             button = self._entry(entry)
-            button.setText(f"{entry.words} {count:,}")
+            button.setText(_counted(entry, count))
             used += button.sizeHint().width() + 2
             if used > left:
                 button.hide()
@@ -131,7 +131,7 @@ class Legend(QFrame):
         for entry, count in self._rows:
             button = self.buttons.get(entry.words)
             if button is not None:
-                button.setText(f"{entry.words} {count:,}")
+                button.setText(_counted(entry, count))
                 button.setAccessibleName(f"{count} {entry.words}: light up")
                 button.blockSignals(True)
                 button.setChecked(entry.words in self._looking.lit)
@@ -147,7 +147,7 @@ class Legend(QFrame):
         menu = self.more.menu()
         menu.clear()
         for entry, count in rows:
-            action = menu.addAction(self._swatch(entry), f"{entry.words} {count:,}")
+            action = menu.addAction(self._swatch(entry), _counted(entry, count))
             action.setCheckable(True)
             action.setChecked(entry.words in self._looking.lit)
             action.toggled.connect(lambda on, words=entry.words: self._looking.light(words, on=on))
@@ -174,6 +174,7 @@ class Legend(QFrame):
         self.setStyleSheet(
             f"#legend {{ background: {colors.raised}; border: 1px solid {colors.hairline}; border-radius: 7px; }}"
             "#legend QToolButton { font-size: 12px; padding: 2px 5px; }"
+            "#legend QToolButton::menu-indicator { image: none; }"
         )
         self.settings.setIcon(icon("tune-variant", self._studio.theme, "dim"))
         self._shown, self._rows = (), []
@@ -182,6 +183,12 @@ class Legend(QFrame):
 def _shape_words(shape: int) -> str:
     words = _SHAPE_WORDS[shape % SHAPES]
     return f"{words}; a bar at its nose: attached" if shape >= SHAPES else words
+
+
+def _counted(entry: Entry, count: int) -> str:
+    """The count stands apart from a name that ends in a number."""
+    apart = " · " if entry.words[-1:].isdigit() else " "
+    return f"{entry.words}{apart}{count:,}"
 
 
 def _rgb(name: str) -> tuple[int, int, int]:

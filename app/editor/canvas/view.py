@@ -314,6 +314,7 @@ class WorldCanvas(Surface):
             part.dress()
         self._refresh_badge()
         self._count()
+        self.hover()
         self.update()
 
     # --------------------------------------------------------------------------------------------- overlays
