@@ -6,7 +6,10 @@ from pathlib import Path
 
 from ..engine.shipped import CLONE, PROJECTS, ROOT, shipped_folder
 
-__all__ = ["CLONE", "ROOT", "cores", "display", "shipped_bench", "shipped_project"]
+__all__ = ["CLONE", "FIRST_PROJECT", "ROOT", "cores", "display", "shipped_bench", "shipped_project"]
+
+#: The project to begin with.
+FIRST_PROJECT = "foraging"
 
 
 def shipped_project(name: str) -> Path:

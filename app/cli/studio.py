@@ -1,4 +1,4 @@
-"""No verb: the studio; where there is no screen, a demonstration in numbers instead."""
+"""No verb, and no screen for the studio: a demonstration in numbers instead."""
 
 import tempfile
 import time
@@ -6,27 +6,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import platformdirs
-
 from ..core.check import refuse
 from ..core.errors import ParameterError
 from ..core.project import Arm, Project
-from ..core.storage.loading import refuse_no_project
-from ..core.storage.migrations import PROJECT_FILE
 from ..engine.runs import RunResult, treatment
 from .console import PROGRAM, progress, say, show, show_table
 from .demonstrate import play
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
 from .pictures import Shown, figure_of_runs, structure
-from .places import display, shipped_project
+from .places import FIRST_PROJECT, shipped_project
 from .plans import Bench, Plan
 from .probes import writable
 from .run import draw_picture, refuse_picture
 from .wording import counted, number
 from .worlds import Ran, run_plans
 
-DEMONSTRATED = "foraging"
 PICTURE = Path("understudy-demonstration.png")
 #: A project's first arms are shown: in the shipped project, agents alone and under one and two levels of controllers.
 MOST_ARMS = 3
@@ -50,7 +45,7 @@ class Taught:
     same: bool
 
 
-def open_studio(
+def show_demonstration(
     project: Path | None,
     picture: Path | None,
     *,
@@ -58,25 +53,12 @@ def open_studio(
     ticks: int,
     seed: int,
     trust: bool,
-    headless: bool = False,
+    headless: bool,
 ) -> int:
-    """Open the studio's window; where there is no display, or *headless*, show what Understudy does without one."""
-    if display() and not headless:
-        return open_window(project or shipped_project(DEMONSTRATED), trust=trust)
+    """Show what Understudy does without a window; *headless* if that was asked for."""
     why = "" if headless else "there is no display for a window: "
     say(f"{why}here is the demonstration in numbers")
     return demonstration(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust)
-
-
-def open_window(project: Path, *, trust: bool) -> int:
-    """Open the studio on *project*, until the user closes it."""
-    folder = project.parent if project.name == PROJECT_FILE else project
-    refuse_no_project(folder)
-    from ..editor.application import run
-
-    settings = platformdirs.user_config_path(PROGRAM, appauthor=False) / "studio.ini"
-    state = platformdirs.user_state_path(PROGRAM, appauthor=False)
-    return run(folder, settings, state, trust=trust)
 
 
 def demonstration(
@@ -85,7 +67,7 @@ def demonstration(
     """Learn a project's behaviors anew, run its arms, and end with numbers and a picture."""
     if picture is not None:
         refuse_picture(picture)
-    opened = open_project(project or shipped_project(DEMONSTRATED), trust=trust)
+    opened = open_project(project or shipped_project(FIRST_PROJECT), trust=trust)
     if not opened.project.arms:
         raise ParameterError(f"project {opened.project.name!r} has no arms, so there is nothing to show")
     taught = teach(opened)

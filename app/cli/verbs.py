@@ -114,9 +114,17 @@ def studio(
     ] = False,
 ) -> int:
     """Open the studio; without a screen, relearn a project from its demonstrations and run its arms."""
-    from .studio import open_studio
+    from .places import display
 
-    return open_studio(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust, headless=headless)
+    if display() and not headless:
+        from .window import open_window
+
+        return open_window(project, trust=trust)
+    from .studio import show_demonstration
+
+    return show_demonstration(
+        project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust, headless=headless
+    )
 
 
 @verbs.command(
