@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Qt, QTimer, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import QPoint, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QSpinBox,
     QStackedLayout,
     QToolButton,
@@ -17,17 +19,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...core.automaton import Refit
+from ...core.automaton import Cut, Refit
+from ...core.conditions import AtMost, InArc
+from ...core.cuts import with_cuts
 from ...core.phrasing import number
-from ...core.tree import Forest, Tree
+from ...core.tree import Branch, Forest, Tree
 from ...engine.snapshots import WatchedLevel
+from ...learner.registry import METHODS
 from ..diagram.label_colors import state_colors
+from .preview import Answer, Preview, Question
+from .pruning import Pruning
 from .reaching import Reaching
 from .rows import tree_rows
 from .rules import RuleList
 from .scene import TreeScene
 from .shape import Key, lit
 from .subject import Subject
+from .tools import Tools
 from .view import TreeView
 
 if TYPE_CHECKING:
@@ -55,13 +63,20 @@ class TreePanel(QWidget):
 
     def __init__(self, studio: Studio) -> None:
         super().__init__()
-        self._studio = studio
+        self.studio = studio
         self.subject: Subject | None = None
         self._shown: tuple[object, ...] = ()
+        self._place: tuple[object, ...] = ()
         self._reaching: tuple[tuple[object, ...], Reaching] | None = None
         self.scene = TreeScene(studio.theme)
         self.view = TreeView(self.scene, studio.theme)
         self.rules = RuleList(studio)
+        self.tools = Tools(studio)
+        self.pruning = Pruning(studio)
+        self.preview = Preview()
+        self.previewed: Tree | None = None
+        self._preview_of: object = None
+        self.menu: QMenu | None = None
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
@@ -91,8 +106,8 @@ class TreePanel(QWidget):
         for action in ("tree.fit",):
             button = QToolButton()
             button.setProperty("flat", "true")
-            button.setDefaultAction(self._studio.actions[action])
-            button.setAccessibleName(self._studio.actions.rows[action].text)
+            button.setDefaultAction(self.studio.actions[action])
+            button.setAccessibleName(self.studio.actions.rows[action].text)
             top.addWidget(button)
         self._message = QLabel()
         self._message.setProperty("role", "empty")
@@ -108,10 +123,11 @@ class TreePanel(QWidget):
         self._column.addLayout(top)
         self._column.addWidget(self.rules)
         self._column.addLayout(self._pages, 1)
+        self._column.addWidget(self.tools)
         self.setFocusProxy(self.view)
 
     def _connect(self) -> None:
-        studio = self._studio
+        studio = self.studio
         for signal in (studio.opened, studio.colors.changed, studio.theme.changed):
             signal.connect(self._dress)
         studio.document.project_changed.connect(lambda *_: self.touch())
@@ -125,6 +141,19 @@ class TreePanel(QWidget):
         self.which.valueChanged.connect(lambda _: self.touch())
         self.view.chosen.connect(self.choose)
         self.view.toggled.connect(self._toggle)
+        self.view.removed.connect(self.prune)
+        self.view.menu_wanted.connect(self._menu)
+        self.tools.opened.connect(self._show_tools)
+        cut, confidence = self.tools.cut, self.tools.confidence
+        cut.dragged.connect(self._cut_dragged)
+        cut.dropped.connect(self._cut_dropped)
+        cut.cancelled.connect(self._dress)
+        cut.settled.connect(studio.document.end_gesture)
+        confidence.dragged.connect(self._ask_preview)
+        confidence.dropped.connect(lambda found: self._keep_confidence(found, ""))
+        confidence.stepped.connect(lambda found: self._keep_confidence(found, "pruning confidence"))
+        confidence.settled.connect(studio.document.end_gesture)
+        self.preview.came.connect(self._previewed)
 
     # ------------------------------------------------------------------------------------------- what is shown
 
@@ -144,9 +173,9 @@ class TreePanel(QWidget):
 
     def refresh(self) -> None:
         """Show everything as it is now."""
-        selection, project = self._studio.selection, self._studio.document.project
+        selection, project = self.studio.selection, self.studio.document.project
         key = selection.behavior
-        automaton = None if key is None else self._studio.document.automaton(key.type, key.id)
+        automaton = None if key is None else self.studio.document.automaton(key.type, key.id)
         if key is None or automaton is None:
             made_of: tuple[object, ...] = ("",)
         else:
@@ -156,12 +185,12 @@ class TreePanel(QWidget):
             _same(a, b) for a, b in zip(made_of, self._shown, strict=True)
         ):
             return
-        other = made_of[:2] != self._shown[:2]
-        self._shown = made_of
+        other = made_of[:2] != self._place
+        self._shown, self._place = made_of, made_of[:2]
         self._show(self._made_subject(), other=other)
 
     def _made_subject(self) -> Subject | None:
-        selection, document = self._studio.selection, self._studio.document
+        selection, document = self.studio.selection, self.studio.document
         key = selection.behavior
         automaton = None if key is None else document.automaton(key.type, key.id)
         if key is None or automaton is None or not automaton.has_state(selection.state):
@@ -182,7 +211,7 @@ class TreePanel(QWidget):
             self._examples(
                 automaton.features, document.project.examples_of(key.type, key.id), selection.state
             ),
-            state_colors(automaton, key.type, self._studio.colors, self._studio.theme),
+            state_colors(automaton, key.type, self.studio.colors, self.studio.theme),
         )
 
     def _examples(self, features: tuple, examples: tuple, state: str) -> Reaching:
@@ -197,18 +226,21 @@ class TreePanel(QWidget):
     def _show(self, subject: Subject | None, *, other: bool) -> None:
         self.subject = subject
         if other:
+            self.previewed = None
             self.scene.forget_opened()
             self.view.is_fitted = True
         self._show_states(subject)
         self.which.setVisible(subject is not None and subject.trees > 1)
         self.rules.show_subject(subject)
-        self.scene.build(subject)
+        self.scene.build(self._as_previewed(subject))
+        self._show_tools()
         self._message.setText(self._explanation())
         self._pages.setCurrentIndex(1 if subject is not None and subject.tree is not None else 0)
         title = "Decision tree" if subject is None else f"Decision tree · from {subject.name(subject.state)}"
         self.title_changed.emit(title)
         self._follow()
         self.view.changed()
+        self.studio.touch()
         self.refreshed.emit()
 
     def _show_states(self, subject: Subject | None) -> None:
@@ -217,7 +249,7 @@ class TreePanel(QWidget):
             if subject is not None:
                 for state in subject.automaton.states:
                     self._states.addItem(subject.name(state.id), state.id)
-            self._states.setCurrentIndex(self._states.findData(self._studio.selection.state))
+            self._states.setCurrentIndex(self._states.findData(self.studio.selection.state))
 
     def _explanation(self) -> str:
         """Why there is no tree, and what to do."""
@@ -240,8 +272,8 @@ class TreePanel(QWidget):
 
     def _level_now(self) -> WatchedLevel | None:
         """The selected node's run of the automaton that is shown, if it is in the state that is shown."""
-        snapshot, subject = self._studio.snapshot, self.subject
-        watched = None if snapshot is None else snapshot.watched.get(self._studio.selection.node)
+        snapshot, subject = self.studio.snapshot, self.subject
+        watched = None if snapshot is None else snapshot.watched.get(self.studio.selection.node)
         if watched is None or subject is None:
             return None
         for level in watched.levels:
@@ -281,15 +313,135 @@ class TreePanel(QWidget):
         """Select a node, and with it the examples that reach it."""
         self.scene.choose(key)
         if self.subject is not None and key:
-            self._studio.selection.select_examples(self.subject.examples(key))
-        self._studio.touch()
+            self.studio.selection.select_examples(self.subject.examples(key))
+        self._show_tools()
+        self.studio.touch()
 
     def _toggle(self, key: Key) -> None:
         self.scene.toggle(key)
         self._follow()
         self.view.changed()
 
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nobody looks: nothing is learned to be looked at."""
+        super().hideEvent(event)
+        self._soon.stop()
+        self._live.stop()
+        self.preview.close()
+
+    # ------------------------------------------------------------------------------------------------ pruning
+
+    def prune(self) -> None:
+        """Prune the leaf or the subtree that is selected."""
+        if self.subject is not None and self.scene.chosen:
+            self.pruning.below(self.subject, self.scene.chosen)
+
+    def take_back(self) -> None:
+        """Take back the prunes at the node that is selected."""
+        if self.subject is not None and self.scene.chosen:
+            self.pruning.take_back(self.subject, self.scene.chosen)
+
+    def _menu(self, at: QPoint) -> None:
+        subject = self.subject
+        if subject is None or not self.scene.chosen:
+            return
+        key = self.scene.chosen
+        menu = self.menu = QMenu(self)
+        for action in ("tree.prune", "tree.take_back"):
+            menu.addAction(self.studio.actions[action])
+        menu.addSeparator()
+        for label in subject.labels_at(key):
+            menu.addAction(f"Never to {subject.name(label)} here").triggered.connect(
+                lambda _checked, label=label: self.pruning.label(subject, key, label)
+            )
+        menu.addSeparator()
+        menu.addAction(self.studio.actions["tree.histogram"])
+        self.studio.actions.refresh()
+        menu.popup(at)
+
+    # ------------------------------------------------------------------------------------- below the tree
+
+    def _show_tools(self) -> None:
+        subject = self.subject
+        self.tools.prunes.show_subject(subject)
+        self.tools.count_prunes()
+        settings = subject.automaton.settings if subject is not None else None
+        prunes = settings is not None and _can_prune(settings.classifier)
+        confidence = settings.pruning_confidence if settings is not None else None
+        self.tools.confidence.show_confidence(confidence, possible=prunes)
+        found = (
+            subject.histogram(self.scene.chosen) if subject is not None and self.tools.page == "cut" else None
+        )
+        if found is None or subject is None:
+            self.tools.cut.show_test(None, None, None, None)
+        else:
+            self.tools.cut.show_test(subject, *found, subject.feature_of(found[1]))
+
+    def _cut_dragged(self, test: AtMost | InArc) -> None:
+        """Show the tree as it would be; the project does not know of it yet."""
+        subject, key = self.subject, self.scene.chosen
+        if subject is not None and subject.tree is not None:
+            tree = with_cuts(subject.tree, [Cut("", subject.state, subject.path(key), test)])
+            self.scene.build(replace(subject, tree=tree))
+            self._follow()
+
+    def _cut_dropped(self, test: AtMost | InArc) -> None:
+        if self.subject is not None and self.scene.chosen:
+            key = self.scene.chosen
+            gesture = "" if not self.tools.cut.hasFocus() else f"cut {self.subject.state} {key}"
+            self.pruning.cut(self.subject, key, test, gesture)
+
+    # ------------------------------------------------------------------------------------- pruning confidence
+
+    def _ask_preview(self, confidence: float | None) -> None:
+        subject = self.subject
+        if subject is None:
+            return
+        project = self.studio.document.project
+        examples = project.examples_of(subject.type, subject.automaton.id)
+        vocabulary = self.studio.document.scenario.vocabulary
+        self.preview.ask(Question(subject.automaton, subject.state, examples, vocabulary, confidence))
+
+    def _previewed(self, answer: Answer) -> None:
+        subject = self.subject
+        same = subject is not None and answer.question.automaton is subject.automaton
+        if not same or subject is None or answer.question.state != subject.state:
+            return
+        if answer.tree is None or subject.tree is None:
+            self.tools.confidence.tell(answer.problem or "There is no tree to prune in this state.")
+            return
+        self.previewed, self._preview_of = answer.tree, subject.model
+        before, after = _tests(subject.tree), _tests(answer.tree)
+        self.tools.confidence.tell(
+            f"{before} test{'' if before == 1 else 's'} in the tree now, {after} then."
+        )
+        self.scene.build(self._as_previewed(subject))
+        self._follow()
+        self.view.changed()
+
+    def _as_previewed(self, subject: Subject | None) -> Subject | None:
+        """What is shown of a subject: the previewed tree, until what is learned is another one."""
+        if subject is None or self.previewed is None or subject.model is not self._preview_of:
+            self.previewed = None
+            return subject
+        return replace(subject, tree=self.previewed)
+
+    def _keep_confidence(self, confidence: float | None, gesture: str) -> None:
+        if self.subject is not None:
+            self.pruning.confidence(self.subject, confidence, gesture)
+            if self.subject.automaton.settings.pruning_confidence == confidence:
+                self.previewed = None
+                self._dress()
+
 
 def _same(a: object, b: object) -> bool:
     """Whether two parts are one and the same; small ones are compared."""
     return a is b or (not isinstance(a, tuple) and a.__class__ in (str, int) and a == b)
+
+
+def _can_prune(classifier: str) -> bool:
+    return classifier in METHODS and METHODS[classifier].prunes
+
+
+def _tests(tree: Tree) -> int:
+    return sum(isinstance(node, Branch) for node in tree.nodes())

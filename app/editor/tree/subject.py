@@ -3,21 +3,23 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
 from PySide6.QtGui import QColor
 
 from ...core.automaton import Automaton, Model, Prune
-from ...core.conditions import Condition, Guard, InArc, Test
+from ...core.conditions import AtMost, Condition, Equals, Guard, InArc, Test
 from ...core.implication import guard_implied
 from ...core.library import Library
 from ...core.phrasing import number
 from ...core.telling import declared
 from ...core.transition import pruned
 from ...core.tree import Branch, Forest, Tree, TreeNode, shares
-from ...core.vocabulary import Vocabulary
+from ...core.vocabulary import Feature, Vocabulary
 from ...core.wording import condition_words, feature_of, state_words
+from .bins import Histogram, histogram
 from .node_item import NodeWords
 from .reaching import Reaching
-from .shape import Knot, path_to
+from .shape import Knot, find, path_to
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,6 +64,36 @@ class Subject:
         """The ids of the examples that reach a node."""
         return self.reaching.ids(self.path(key))
 
+    def node(self, key: int) -> TreeNode | None:
+        """The node with a key."""
+        return find(self.tree, key) if self.tree is not None and key else None
+
+    def labels_at(self, key: int) -> tuple[str, ...]:
+        """The states that examples at a node lead to."""
+        node = self.node(key)
+        counts = node.counts if node is not None else ()
+        return tuple(label for label, count in zip(self.labels, counts, strict=False) if count > 0.0)
+
+    def feature_of(self, test: Test) -> Feature:
+        """How the feature that is tested is declared."""
+        return declared(feature_of(self.automaton, test.feature), self.vocabulary)
+
+    def histogram(self, key: int) -> tuple[Histogram, AtMost | InArc] | None:
+        """The histogram of the examples at a node by the feature that it tests; None if that has no cut."""
+        node = self.node(key)
+        if not isinstance(node, Branch) or isinstance(node.test, Equals):
+            return None
+        rows = self.reaching.rows(self.path(key))
+        place = {label: number for number, label in enumerate(self.labels)}
+        there = np.array([example.label in place for example in self.reaching.examples], np.bool_) & rows
+        labels = [
+            place[e.label] for e, here in zip(self.reaching.examples, there.tolist(), strict=True) if here
+        ]
+        values = self.reaching.column(node.test.feature)[there]
+        feature = self.feature_of(node.test)
+        numbers = np.array(labels, np.int64)
+        return histogram(values, numbers, len(self.labels), node.test, feature), node.test
+
     def prunes_at(self, key: int) -> tuple[Prune, ...]:
         """The prunes that hold everywhere below a node."""
         path = self.path(key)
@@ -100,7 +132,7 @@ class Subject:
         bare = [Prune(p.id, p.source, (), p.forbidden) for p in prunes]
         left = pruned(shares(leaf.counts), self.labels, bare, lambda _: 0.0)
         if sum(left) <= 0.0:
-            return self.name(self.state), "all pruned, so it stays"
+            return self.name(self.state), "pruned: stays"
         best = max(range(len(left)), key=lambda place: left[place])
         p = f"{left[best]:.1f}" if left[best] == 1.0 else number(left[best], 2)
         return self.name(self.labels[best]), f"p {p}"
@@ -108,7 +140,7 @@ class Subject:
     def _arc(self, test: Test) -> tuple[InArc, float] | None:
         if not isinstance(test, InArc):
             return None
-        return test, declared(feature_of(self.automaton, test.feature), self.vocabulary).period
+        return test, self.feature_of(test).period
 
     def distribution(self, node: TreeNode) -> str:
         """All labels with their counts: "Wander 3, ReturnWithBox 2"."""

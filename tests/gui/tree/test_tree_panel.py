@@ -1,9 +1,7 @@
 """The decision tree says how a state decides, and where the selected node is in it."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
@@ -20,24 +18,12 @@ LEFT = Qt.MouseButton.LeftButton
 FORAGE = "agent", "forage"
 
 
-@pytest.fixture
-def panel(studio: Studio, qtbot: QtBot) -> Iterator[TreePanel]:
-    studio.settings.learns_by_itself = False
-    studio.selection.select_behavior(BehaviorKey(*FORAGE), "wander")
-    panel = TreePanel(studio)
-    qtbot.addWidget(panel)
-    panel.resize(500, 400)
-    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
-        panel.show()
-    yield panel
-    panel.hide()
-
-
 def at(panel: TreePanel, key: int) -> QPoint:
     return panel.view.mapFromScene(panel.scene.nodes[key].scenePos())
 
 
 def learned(studio: Studio, model: object) -> None:
+    studio.settings.learns_by_itself = False
     automaton = studio.document.automaton(*FORAGE)
     assert automaton is not None
     models = {**automaton.learned, "wander": model}
