@@ -1,5 +1,6 @@
 """No verb: the studio's window. It imports no more than it needs, so that the window is there soon."""
 
+import gc
 from pathlib import Path
 
 import platformdirs
@@ -15,8 +16,11 @@ def open_window(project: Path | None, *, trust: bool) -> int:
     named = project or shipped_project(FIRST_PROJECT)
     folder = named.parent if named.name == PROJECT_FILE else named
     refuse_no_project(folder)
+    gc.disable()  # nothing of what is imported goes away again, so looking for it only takes time
     from ..editor.application import run
 
+    gc.freeze()
+    gc.enable()
     settings = platformdirs.user_config_path(PROGRAM, appauthor=False) / "studio.ini"
     state = platformdirs.user_state_path(PROGRAM, appauthor=False)
     return run(folder, settings, state, trust=trust)

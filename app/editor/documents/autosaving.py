@@ -91,7 +91,13 @@ class Autosaving(QObject):
         where, self._where, self._kept = self._where, None, None
         self._files.studio.document.autosaved = None
         if where is not None:
-            autosaves.discard(where)
+            self._writing = True  # nothing is kept there meanwhile
+            self._files.background.do(
+                partial(autosaves.discard, where), self._discarded, lambda _: self._discarded(None)
+            )
+
+    def _discarded(self, _: object) -> None:
+        self._writing = False
 
     def adopt(self, where: Path) -> None:
         """Go on where a window that is gone had kept its work: what is kept next replaces it, saving removes it."""
@@ -101,4 +107,5 @@ class Autosaving(QObject):
         """Save nothing any more."""
         self._timer.stop()
         self._writing = False
-        self.discard()
+        if self._where is not None:
+            autosaves.discard(self._where)

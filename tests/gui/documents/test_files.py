@@ -131,6 +131,7 @@ def test_an_open_project_leaves_nothing_behind_once_it_is_closed(
     desk.files.close()
     answer(desk, qtbot, "Discard")
     assert not desk.studio.is_open
+    idle(desk, qtbot)
     assert sorted(folder.rglob("*")) == before
 
 
@@ -402,6 +403,7 @@ def test_what_a_killed_window_had_autosaved_is_offered_and_recovering_it_can_be_
     desk.files.save()
     qtbot.waitUntil(lambda: desk.studio.document.is_saved, timeout=PATIENCE)
     assert load(folder).note == "nearly lost"
+    idle(desk, qtbot)
     assert not (folder / NAME / "autosave").exists()
 
 
