@@ -89,5 +89,16 @@ class AskControl(QWidget):
 
     def refresh(self) -> None:
         """Show how it is set."""
-        self.below.setEnabled(self._asking.on and self.unsure.isChecked())
-        self.beyond.setEnabled(self.unknown.isChecked())
+        asking = self._asking
+        for widget in (self.below, self.beyond, self.unsure, self.unknown):
+            widget.blockSignals(True)
+        self.unsure.setChecked(asking.below is not None)
+        self.unknown.setChecked(asking.beyond is not None)
+        if asking.below is not None:
+            self.below.setValue(round(100 * asking.below))
+        if asking.beyond is not None:
+            self.beyond.setValue(asking.beyond)
+        for widget in (self.below, self.beyond, self.unsure, self.unknown):
+            widget.blockSignals(False)
+        self.below.setEnabled(asking.on and asking.below is not None)
+        self.beyond.setEnabled(asking.beyond is not None)
