@@ -76,9 +76,10 @@ class ExamplesPanel(QWidget):
         self._lay_out()
         self._shown: tuple[object, object] = (None, None)
         self._selecting = False
+        self._closed = False
         self._connect()
         studio.actions.add(example_rows(self))
-        studio.closing.connect(self._worker.close)
+        studio.closing.connect(self._close)
         self._dress()
         self.refresh()
 
@@ -133,6 +134,11 @@ class ExamplesPanel(QWidget):
         self._judged.connect(self._take_verdicts)
         self.table.selectionModel().selectionChanged.connect(self._selected)
 
+    def _close(self) -> None:
+        """Ask no more: whatever still changes while the window closes is not judged."""
+        self._closed = True
+        self._worker.close()
+
     # --------------------------------------------------------------------------------------------- showing
 
     def refresh(self) -> None:
@@ -148,7 +154,7 @@ class ExamplesPanel(QWidget):
         self._selecting = False
         self._pages.setCurrentIndex(1 if examples else 0)
         self._filter()
-        if subject is not None:
+        if subject is not None and not self._closed:
             self._worker.ask(Matter(subject.automaton, examples))
 
     def _subject(self) -> tuple[Subject | None, tuple[Example, ...]]:
