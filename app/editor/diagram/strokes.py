@@ -1,6 +1,7 @@
 """Paths, arrow heads and texts of diagrams."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from math import atan2, cos, hypot, pi, sin
 
 from PySide6.QtCore import QPointF, Qt
@@ -33,9 +34,14 @@ def arrow_head(points: Sequence[Point], length: float = HEAD) -> QPolygonF:
     return QPolygonF([QPointF(*corner) for corner in corners])
 
 
+@lru_cache(maxsize=16)
+def _metrics(pixels: int, bold: bool) -> QFontMetricsF:  # noqa: FBT001 - a key of the cache
+    return QFontMetricsF(text_font(pixels, bold=bold))
+
+
 def text_width(text: str, pixels: int = TEXT, *, bold: bool = False) -> float:
     """How wide a line of text is."""
-    return QFontMetricsF(text_font(pixels, bold=bold)).horizontalAdvance(text)
+    return _metrics(pixels, bold).horizontalAdvance(text)
 
 
 def wrapped(text: str, width: float, lines: int, pixels: int = CAPTION) -> list[str]:
@@ -58,5 +64,4 @@ def wrapped(text: str, width: float, lines: int, pixels: int = CAPTION) -> list[
 
 def elided(text: str, width: float, pixels: int = CAPTION, *, bold: bool = False) -> str:
     """*text*, with dots at its end where it is wider than *width*."""
-    metrics = QFontMetricsF(text_font(pixels, bold=bold))
-    return metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
+    return _metrics(pixels, bold).elidedText(text, Qt.TextElideMode.ElideRight, width)

@@ -1,5 +1,6 @@
 """A transition as it is drawn: solid where it was learned, dashed where it was authored, dotted where it is pruned."""
 
+from functools import lru_cache
 from math import log2
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -19,15 +20,18 @@ LABEL_WIDTH, LINE, MOST_LINES = 124.0, 14.0, 2
 CROSS = 4.0
 
 
+#: Measuring text takes longer than all else; an automaton of 120 edges is measured at every edit.
+@lru_cache(maxsize=4096)
 def label_size(label: Label) -> tuple[float, float]:
     """Width and height of what stands at an edge."""
     lines = lines_of(label)
     return max(text_width(line, CAPTION) for line in lines) + 8.0, len(lines) * LINE
 
 
-def lines_of(label: Label) -> list[str]:
+@lru_cache(maxsize=4096)
+def lines_of(label: Label) -> tuple[str, ...]:
     """What stands at an edge, line by line; the last one says how sure it is."""
-    return [*wrapped(label.when, LABEL_WIDTH, MOST_LINES), *wrapped(label.how, LABEL_WIDTH, 1)]
+    return (*wrapped(label.when, LABEL_WIDTH, MOST_LINES), *wrapped(label.how, LABEL_WIDTH, 1))
 
 
 class EdgeItem(QGraphicsItem):
