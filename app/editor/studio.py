@@ -68,10 +68,14 @@ class Studio(QObject):
         changed: Something that decides what is possible has changed; told once for all of it.
         show_panel: Bring a panel to the front, by its id.
         closing: The window closes: whoever works in the background has to end it.
+        world_wanted: Bring the window with the world to the front.
+        window_wanted: Open a project in a window of its own: the project, its scenario, an arm, a seed, a tick.
     """
 
     opened = Signal()
     closing = Signal()
+    world_wanted = Signal()
+    window_wanted = Signal(object, object, str, int, int)
     said = Signal(object)
     changed = Signal()
     show_panel = Signal(str)

@@ -16,7 +16,9 @@ from ..command_palette.field import SearchField, palette_rows
 from ..command_palette.palette import Palette
 from ..documents.busy import BusyPage
 from ..documents.files import Files
+from ..documents.recent_menu import RecentMenu
 from ..documents.welcome import WelcomePage
+from ..experiments.rows import Experiments
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
@@ -61,10 +63,18 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.speed = Speed()
         self.files = Files(studio, self)
+        self.experiments = Experiments(studio, self)
         self._may_close = False
         self.palette_search = Palette(studio, self, self._catalog)
         studio.actions.add(
-            (*self.files.rows(), *edit_rows(), *view_rows(), *teach_rows(), *time_rows(self.speed))
+            (
+                *self.files.rows(),
+                *edit_rows(),
+                *view_rows(),
+                *teach_rows(),
+                *time_rows(self.speed),
+                *self.experiments.rows(),
+            )
         )
         studio.actions.add((*preference_rows(self), *palette_rows(self.palette_search)))
         self.canvas = WorldCanvas(studio)
@@ -91,6 +101,7 @@ class MainWindow(QMainWindow):
         self.guide = Guide(self, self._pages)
         studio.actions.add(guide_rows(self.guide))
         self._build_menus()
+        self.recent = RecentMenu(self.files, self.menuBar())
         self.search_field = SearchField(studio)
         self.menuBar().setCornerWidget(self.search_field)
         self.search_field.show()  # the bar alone would leave it hidden
@@ -98,6 +109,7 @@ class MainWindow(QMainWindow):
         studio.opened.connect(self._opened)
         studio.document.history_changed.connect(self._titled)
         studio.show_panel.connect(self.show_panel)
+        studio.world_wanted.connect(self.come_to_front)
         self.files.waiting.connect(self._waiting)
         self._restore()
         self._opened()
@@ -124,6 +136,11 @@ class MainWindow(QMainWindow):
             for folder in self.studio.settings.recent
         ]
         return catalog_of(self.studio, settings, recent)
+
+    def come_to_front(self) -> None:
+        """Show the world, whatever window is in front of it."""
+        self.raise_()
+        self.activateWindow()
 
     def standard_layout(self) -> None:
         """Put all docks back where they stood at first."""
