@@ -61,13 +61,18 @@ class Question(QDialog):
         details: str = "",
         look: str = "help-circle-outline",
     ) -> None:
+        """Ask it.
+
+        Args:
+            details: What can be read at length; code is not wrapped, which a shield as *look* tells.
+        """
         super().__init__(window)
         self.setWindowTitle(title)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(WIDTH)
         self.text = text
         self._act: Callable[[], object] | None = answers[-1].act
-        self.details = _details(details) if details else None
+        self.details = _details(details, wrapped=not look.startswith("shield")) if details else None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(20, 18, 20, 16)
         layout.setSpacing(12)
@@ -140,12 +145,13 @@ def _head(theme: Theme, title: str, text: str, look: str) -> QHBoxLayout:
     return head
 
 
-def _details(text: str) -> QPlainTextEdit:
+def _details(text: str, *, wrapped: bool) -> QPlainTextEdit:
     shown = QPlainTextEdit(text)
     shown.setReadOnly(True)
     shown.setTabChangesFocus(True)
     shown.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-    shown.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+    modes = QPlainTextEdit.LineWrapMode
+    shown.setLineWrapMode(modes.WidgetWidth if wrapped else modes.NoWrap)
     shown.setMinimumHeight(DETAIL_HEIGHT)
     shown.setAccessibleName("Details")
     return shown

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -152,6 +153,7 @@ class Files(QObject):
             self._quietly(partial(autosaves.note, self.state, self.owner, held.private))
         if held.folder is not None:
             self.studio.settings.remember(held.folder)
+        gc.freeze()  # a project stays long: looking through it for garbage would hold the window up
 
     def scratch(self, project: Project, scenario: Scenario) -> None:
         """Open a project that no folder holds, in the place of the one that is open."""

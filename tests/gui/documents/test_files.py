@@ -445,3 +445,11 @@ def test_saving_elsewhere_takes_experiments_and_code_along(
     desk.files.saving.into(tmp_path / "copy")
     qtbot.waitUntil(lambda: desk.studio.document.folder == tmp_path / "copy", timeout=PATIENCE)
     assert (tmp_path / "copy" / "experiments" / "one.json").exists()
+
+
+def test_recent_projects_are_in_the_file_menu(desk: MainWindow, qtbot: QtBot, folder: Path) -> None:
+    desk.studio.settings.remember(folder)
+    desk.recent.aboutToShow.emit()
+    (entry,) = desk.recent.actions()
+    entry.trigger()
+    qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
