@@ -47,6 +47,7 @@ run_libraries=(
 dev_libraries=(
     "/usr/bin/Xvfb|xvfb"
     "/usr/bin/xauth|xauth"
+    "/usr/bin/xdotool|xdotool"
 )
 
 say() { printf 'understudy: %s\n' "$*" >&2; }

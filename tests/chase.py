@@ -56,7 +56,12 @@ def no_room(parameters: Parameters) -> str:
 
 
 @scenario.feature(
-    "Gap", FeatureKind.CONTINUOUS, ("a", "b"), default=99.0, unit="units", phrases=Phrases(above="> {value}")
+    "Gap",
+    FeatureKind.CONTINUOUS,
+    ("a", "b"),
+    default=99.0,
+    unit="units",
+    phrases=Phrases(above="{a} is more than {value} from {b}", below="{a} is within {value} of {b}"),
 )
 def gap(world: World, me: int, a: int, b: int) -> float:
     """How far apart two are."""
@@ -74,7 +79,13 @@ def third(world: World, me: int) -> float:
     return float(min(int(3.0 * world.x[me] / world.params.length), 2))
 
 
-@scenario.feature("Clock", FeatureKind.TOROIDAL, period=12.0, unit="hours", phrases=Phrases("between"))
+@scenario.feature(
+    "Clock",
+    FeatureKind.TOROIDAL,
+    period=12.0,
+    unit="hours",
+    phrases=Phrases("it is between {start} and {end}"),
+)
 def hour(world: World, me: int) -> float:
     """The hour of day, in [-6, 6)."""
     return float(world.clock[2] % 12 - 6)

@@ -5,6 +5,7 @@ and compares the two all the time. What the session refuses fails the test, unle
 """
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from app.core.automaton import Automaton, Basic, Content, Nested, RaiseFlag
@@ -24,7 +25,18 @@ from app.engine.commands import (
 )
 from app.engine.learning import Learner
 from app.engine.session import Session
-from app.engine.snapshots import Edit, Event, Interrupted, Mode, NodeView, Refused, Snapshot, edited
+from app.engine.snapshots import (
+    Asked,
+    Edit,
+    Event,
+    Interrupted,
+    Mode,
+    Moved,
+    NodeView,
+    Refused,
+    Snapshot,
+    edited,
+)
 from app.sim.scenario import Scenario
 from tests import corridor
 
@@ -39,6 +51,7 @@ class Driver:
         session: The session.
         project: The caller's, kept by applying the session's edits.
         interruptions: What the session told of things that ended by themselves.
+        told: What it asked, and what was moved.
     """
 
     def __init__(
@@ -54,6 +67,7 @@ class Driver:
         world = {f"world.{name}": value for name, value in settings.items()}
         self.session = Session(self.project, scenario, arm, seed, learner, world | UNCOMPILED)
         self.interruptions: list[str] = []
+        self.told: list[Asked | Moved] = []
         self.problems: list[str] = []
         self._lesson = ("agent", "Shuttle")
         self._node = "agent-1"
@@ -154,6 +168,8 @@ class Driver:
                 raise AssertionError(f"refused: {message}")
             case Interrupted(message):
                 self.interruptions.append(message)
+            case Asked() | Moved():
+                self.told.append(event)
             case _:
                 edit: Edit = event
                 self.project = edited(self.project, edit)
@@ -165,10 +181,9 @@ class Driver:
         """What the session shows."""
         return self.session.snapshot()
 
-    def look(self) -> tuple[object, ...]:
+    def look(self) -> Snapshot:
         """All that a user sees, but the ticket."""
-        s = self.snapshot
-        return (s.tick, s.revision, s.mode, s.speed, s.seed, s.arm, s.world, s.nodes, s.measures, s.failure)
+        return replace(self.snapshot, acknowledged=0)
 
     @property
     def acts(self) -> list[str]:

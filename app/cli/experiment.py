@@ -6,7 +6,8 @@ from pathlib import Path
 
 from ..core.check import refuse
 from ..core.errors import ParameterError
-from ..editor.figures import FigureError, draw
+from ..editor.drawing.experiment_chart import chart_of
+from ..editor.drawing.figures import FigureError, draw
 from ..engine.experiments.findings import Findings, findings
 from ..engine.experiments.fingerprint import fingerprint_of
 from ..engine.experiments.load import FOLDER, experiments_in, load_experiment
@@ -23,7 +24,6 @@ from ..engine.experiments.report import (
 )
 from ..engine.experiments.runner import Progress, carry_out
 from ..engine.experiments.store import Results, ResultsError
-from .charts import chart_of
 from .console import PROGRAM, progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project

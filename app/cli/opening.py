@@ -1,12 +1,16 @@
-"""Opening what the user named: a project's folder, and its scenario."""
+"""Opening what the user named: a project's folder, or a file that was exported from one, and its scenario."""
 
+import atexit
+import shutil
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..core.errors import StorageError
 from ..core.project import Project
 from ..core.storage import load
-from ..engine.scenarios import open_scenario
+from ..engine.scenarios import OWN_CODE, TrustError, brings_code, open_scenario
+from ..export.library_file import Exported, is_export, read
 from ..sim.scenario import Scenario
 
 
@@ -36,3 +40,30 @@ def load_folder(folder: Path) -> Project:
     if folder.is_file():
         raise StorageError(f"{folder}: this is a file; a project is a folder that holds a project.json")
     return load(folder)
+
+
+def open_runnable(path: Path, *, trust: bool = False) -> Opened:
+    """The project in a folder, or in a file that was exported from one.
+
+    Raises:
+        UnderstudyError: It cannot be read, or brings code that is not trusted.
+    """
+    if not is_export(path):
+        return open_project(path, trust=trust)
+    exported = read(path)
+    if not brings_code(exported.project):
+        return Opened(path.parent, exported.project, open_scenario(exported.project))
+    if not trust:
+        raise TrustError(
+            f"{path}: this file carries code (its scenario_code); read it, then allow it to run with --trust"
+        )
+    folder = _unpacked(exported)
+    return Opened(folder, exported.project, open_scenario(exported.project, folder, trust=True))
+
+
+def _unpacked(exported: Exported) -> Path:
+    """A folder with the scenario's code, there until the program ends."""
+    folder = Path(tempfile.mkdtemp(prefix="understudy-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    (folder / OWN_CODE).write_text(exported.scenario_code, encoding="utf-8")
+    return folder

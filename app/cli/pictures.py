@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..core.project import Arm, Value
-from ..editor.figures import Body, Figure, Series, Walker, WorldView
+from ..editor.drawing.figures import Body, Figure, Series, Walker, WorldView
 from ..engine.runs import RunResult
 from ..sim.scenario import Scenario
 from .wording import counted, number

@@ -4,29 +4,22 @@ import os
 import sys
 from pathlib import Path
 
-from ..core.errors import StorageError
+from ..engine.shipped import CLONE, PROJECTS, ROOT, shipped_folder
 
-ROOT = Path(__file__).parents[1]
-#: Holds the lock and the set-up, if this is a clone.
-CLONE = ROOT.parent
+__all__ = ["CLONE", "FIRST_PROJECT", "ROOT", "cores", "display", "shipped_bench", "shipped_project"]
+
+#: The project to begin with.
+FIRST_PROJECT = "foraging"
 
 
 def shipped_project(name: str) -> Path:
     """The folder of a project that ships with Understudy: beside an installed package, or in a clone."""
-    return _shipped(Path("projects", name))
+    return shipped_folder(Path(PROJECTS, name))
 
 
 def shipped_bench(name: str) -> Path:
     """The folder of a project that only `understudy bench` looks at."""
-    return _shipped(Path("resources", "bench", name))
-
-
-def _shipped(path: Path) -> Path:
-    places = [ROOT / path, CLONE / path]
-    for place in places:
-        if place.is_dir():
-            return place
-    raise StorageError(f"the project {path.name!r} is missing; looked for it in {places[0]} and {places[1]}")
+    return shipped_folder(Path("resources", "bench", name))
 
 
 def cores() -> int:

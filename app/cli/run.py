@@ -8,11 +8,11 @@ from typing import Any
 from ..core.check import refuse
 from ..core.errors import ParameterError, StorageError
 from ..core.project import Arm, Project, Value
-from ..editor.figures import Figure, FigureError, draw, refuse_format
+from ..editor.drawing.figures import Figure, FigureError, draw, refuse_format
 from ..engine.runs import RunResult, Treatment, treatment
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
-from .opening import Opened, open_project
+from .opening import Opened, open_runnable
 from .pictures import Shown, figure_of_runs, mean_of
 from .plans import Bench, Plan
 from .settings import parsed
@@ -73,7 +73,7 @@ def run_project(request: Request, picture: Path | None, *, dark: bool, as_json: 
     """Run, and print what came of it; a picture on top if one is wanted."""
     if picture is not None:
         refuse_picture(picture)
-    opened = open_project(request.folder, trust=request.trust)
+    opened = open_runnable(request.folder, trust=request.trust)
     warn_of_stale(opened)
     outcome, interrupted = carry_out(request, opened)
     if as_json:

@@ -1,4 +1,4 @@
-"""No verb: the studio. Until its window exists, and where there is no screen, a demonstration in numbers instead."""
+"""No verb, and no screen for the studio: a demonstration in numbers instead."""
 
 import tempfile
 import time
@@ -15,14 +15,13 @@ from .demonstrate import play
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
 from .pictures import Shown, figure_of_runs, structure
-from .places import display, shipped_project
+from .places import FIRST_PROJECT, shipped_project
 from .plans import Bench, Plan
 from .probes import writable
 from .run import draw_picture, refuse_picture
 from .wording import counted, number
 from .worlds import Ran, run_plans
 
-DEMONSTRATED = "foraging"
 PICTURE = Path("understudy-demonstration.png")
 #: A project's first arms are shown: in the shipped project, agents alone and under one and two levels of controllers.
 MOST_ARMS = 3
@@ -46,15 +45,29 @@ class Taught:
     same: bool
 
 
-def open_studio(
+def show_demonstration(
+    project: Path | None,
+    picture: Path | None,
+    *,
+    dark: bool,
+    ticks: int,
+    seed: int,
+    trust: bool,
+    headless: bool,
+) -> int:
+    """Show what Understudy does without a window; *headless* if that was asked for."""
+    why = "" if headless else "there is no display for a window: "
+    say(f"{why}here is the demonstration in numbers")
+    return demonstration(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust)
+
+
+def demonstration(
     project: Path | None, picture: Path | None, *, dark: bool, ticks: int, seed: int, trust: bool
 ) -> int:
-    """Show what Understudy does, without a window."""
-    why = "the studio's window does not exist yet" if display() else "there is no display for a window"
-    say(f"{why}: here is the demonstration in numbers")
+    """Learn a project's behaviors anew, run its arms, and end with numbers and a picture."""
     if picture is not None:
         refuse_picture(picture)
-    opened = open_project(project or shipped_project(DEMONSTRATED), trust=trust)
+    opened = open_project(project or shipped_project(FIRST_PROJECT), trust=trust)
     if not opened.project.arms:
         raise ParameterError(f"project {opened.project.name!r} has no arms, so there is nothing to show")
     taught = teach(opened)

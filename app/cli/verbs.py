@@ -81,7 +81,9 @@ Jobs = Annotated[
     invoke_without_command=True,
     subcommand_metavar="[PROJECT | VERB ...]",
     epilog=examples(
-        "understudy                          without a screen: a demonstration",
+        "understudy                          the studio, on the foraging project",
+        "understudy my-project               the studio, on a project of yours",
+        "understudy --headless               no window: a demonstration in numbers",
         "understudy run projects/foraging    run a project's first arm",
         "understudy train projects/foraging  learn again from stored examples",
         "understudy VERB --help              more about a verb",
@@ -107,11 +109,22 @@ def studio(
     ticks: Annotated[int, typer.Option(callback=at_least(1), help="How long each run takes.")] = 20_000,
     seed: Seed = 1,
     trust: Trust = False,
+    headless: Annotated[
+        bool, typer.Option("--headless", help="No window: the demonstration in numbers, and a picture.")
+    ] = False,
 ) -> int:
     """Open the studio; without a screen, relearn a project from its demonstrations and run its arms."""
-    from .studio import open_studio
+    from .places import display
 
-    return open_studio(project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust)
+    if display() and not headless:
+        from .window import open_window
+
+        return open_window(project, trust=trust)
+    from .studio import show_demonstration
+
+    return show_demonstration(
+        project, picture, dark=dark, ticks=ticks, seed=seed, trust=trust, headless=headless
+    )
 
 
 @verbs.command(
@@ -175,10 +188,13 @@ def train(
         "understudy run projects/foraging --arm 'one level' --ticks 20000 --runs 10",
         "understudy run projects/foraging --set world.boxes=20 --set world.pullers=3 --json",
         "understudy run projects/foraging --arm 'two levels' --picture two-levels.svg",
+        "understudy run forager.json --ticks 20000",
     )
 )
 def run(
-    project: ProjectFolder,
+    project: Annotated[
+        Path, typer.Argument(metavar="PROJECT|FILE.json", help="A project's folder, or an exported file.")
+    ],
     *,
     arm: Annotated[str | None, typer.Option(help="Which treatment.", show_default="the first")] = None,
     top: Annotated[
@@ -201,11 +217,43 @@ def run(
     trust: Trust = False,
     as_json: Json = False,
 ) -> int:
-    """Run an arm of a project without a window, and count."""
+    """Run an arm of a project, or an exported file, without a window, and count."""
     from .run import Request, run_project
 
     request = Request(project, arm, top, ticks, seed, runs, tuple(settings or ()), jobs, trust)
     return run_project(request, picture, dark=dark, as_json=as_json)
+
+
+@verbs.command(
+    epilog=examples(
+        "understudy export projects/foraging -o forager.json",
+        "understudy export projects/foraging --arm 'two levels' -o two-levels.json",
+        "understudy export projects/foraging agent/Wander > wander.json",
+    )
+)
+def export(
+    project: ProjectFolder,
+    behavior: Annotated[
+        str | None,
+        typer.Argument(metavar="BEHAVIOR", help="One behavior with all it uses; without it, a whole arm."),
+    ] = None,
+    *,
+    arm: Annotated[
+        str | None,
+        typer.Option(help="Which arm, with its controllers and world.", show_default="the first"),
+    ] = None,
+    form: Annotated[str, typer.Option("--format", metavar="F", help="What to write: json.")] = "json",
+    out: Annotated[
+        Path | None,
+        typer.Option("-o", "--out", metavar="FILE", help="Where to.", show_default="stdout", dir_okay=False),
+    ] = None,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Write an arm or a behavior into one self-contained file, which `understudy run FILE.json` runs to the same results."""
+    from .export import Request, export_project
+
+    return export_project(Request(project, behavior, arm, form, out, trust), as_json=as_json)
 
 
 @verbs.command(

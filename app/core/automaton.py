@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
-from .conditions import Guard
+from .conditions import Guard, Test
 from .features import Bindings, FeatureUse
 from .tree import Forest, Leaf, Tree
 
@@ -77,6 +77,21 @@ class Prune:
     forbidden: frozenset[str]
 
 
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A test of the tree of state *source* whose numbers the user has moved; see `app.core.cuts`.
+
+    Attributes:
+        guard: The tests on the way to it; only which features they test and how they come out counts.
+        test: Its feature, with the user's numbers.
+    """
+
+    id: str
+    source: str
+    guard: Guard
+    test: Test
+
+
 class Sampling(StrEnum):
     """How a state is chosen from the distribution at a leaf."""
 
@@ -135,6 +150,7 @@ class Automaton:
     prunes: tuple[Prune, ...] = ()
     settings: Settings = Settings()
     note: str = ""
+    cuts: tuple[Cut, ...] = ()
 
     def state(self, state_id: str) -> State:
         """The state with this id; KeyError if there is none."""
@@ -161,6 +177,10 @@ class Automaton:
     def prunes_of(self, state_id: str) -> tuple[Prune, ...]:
         """The prunes of a state's learned model."""
         return tuple(prune for prune in self.prunes if prune.source == state_id)
+
+    def cuts_of(self, state_id: str) -> tuple[Cut, ...]:
+        """The moved cuts of a state's tree."""
+        return tuple(cut for cut in self.cuts if cut.source == state_id)
 
     def nested(self) -> tuple[str, ...]:
         """Ids of the automata that its states hold, each once, in order."""
@@ -209,12 +229,21 @@ def predicted(model: Tree | Forest) -> set[str]:
 
 
 def trimmed(automaton: Automaton) -> Automaton:
-    """*automaton* without the states that cannot be entered: what runs and what is exported (paper, section 3.1)."""
+    """*automaton* without the states that cannot be entered: what runs and what is exported (paper, section 3.1).
+
+    A rule of probability 0 to such a state stays, leading nowhere: whether its guard is met counts where a choice is held.
+    """
     kept = reachable(automaton)
+    rules = (
+        rule if rule.target in kept or rule.probability > 0 else replace(rule, target=rule.source)
+        for rule in automaton.rules
+        if rule.source in kept
+    )
     return replace(
         automaton,
         states=tuple(state for state in automaton.states if state.id in kept),
-        rules=tuple(rule for rule in automaton.rules if rule.source in kept and rule.target in kept),
+        rules=tuple(rule for rule in rules if rule.target in kept),
         learned={state_id: model for state_id, model in automaton.learned.items() if state_id in kept},
         prunes=tuple(prune for prune in automaton.prunes if prune.source in kept),
+        cuts=tuple(cut for cut in automaton.cuts if cut.source in kept),
     )

@@ -16,12 +16,14 @@ class Edit:
     Attributes:
         text: What the undo menu says: "Rename state left of Goto to turn".
         gesture: Steps of one gesture, such as dragging a slider, become one; empty for a step of its own.
+        mark: What else happened with it, for whoever pushed it: a pick of a lesson, or something moved in the world.
     """
 
     text: str
     before: Project
     after: Project
     gesture: str = ""
+    mark: object = None
 
 
 class History:
@@ -48,18 +50,19 @@ class History:
 
     # ------------------------------------------------------------------------------------------- forward
 
-    def push(self, text: str, project: Project, gesture: str = "") -> None:
+    def push(self, text: str, project: Project, gesture: str = "", mark: object = None) -> None:
         """Go on with *project*; the way there can be undone as *text*, and what was undone is gone.
 
         Args:
             gesture: Where it is the same as that of the step before, and nothing came between, the two become one.
+            mark: See `Edit`; a step with one is kept even where the project stays the same.
         """
-        if project is self.project:
+        if project is self.project and mark is None:
             return
         before = self.project
         if gesture and gesture == self._gesture and self._done and not self.is_saved:
             before = self._done.pop().before
-        self._done.append(Edit(text, before, project, gesture))
+        self._done.append(Edit(text, before, project, gesture, mark))
         self._undone.clear()
         if self._longest is not None:
             del self._done[: -self._longest]
@@ -106,6 +109,16 @@ class History:
     def redo_text(self) -> str:
         """What `redo` would redo; empty if there is nothing."""
         return self._undone[-1].text if self._undone else ""
+
+    @property
+    def last(self) -> Edit | None:
+        """The step that `undo` would undo, if there is one."""
+        return self._done[-1] if self._done else None
+
+    @property
+    def next(self) -> Edit | None:
+        """The step that `redo` would redo, if there is one."""
+        return self._undone[-1] if self._undone else None
 
     @property
     def steps(self) -> tuple[Edit, ...]:

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-
-import networkx as nx
+from typing import TYPE_CHECKING
 
 from .automaton import Automaton, Basic, RaiseFlag
 from .errors import LibraryError
 from .vocabulary import FINISHED, STANDARD_FLAGS, BasicBehavior, Vocabulary
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 Behavior = BasicBehavior | Automaton
 
@@ -48,6 +50,8 @@ class Library:
 
     def graph(self) -> "nx.DiGraph[str]":
         """Automata as nodes, an edge from each to every automaton that it holds."""
+        import networkx as nx  # noqa: PLC0415 - it takes 0.1 s, and the window is to be there before
+
         graph: nx.DiGraph[str] = nx.DiGraph()
         graph.add_nodes_from(self.automata)
         graph.add_edges_from((a.id, held) for a in self.automata.values() for held in a.nested())
@@ -55,6 +59,8 @@ class Library:
 
     def cycle(self) -> tuple[str, ...]:
         """Names of automata that hold each other in a circle, the first again at the end; empty if there is none."""
+        import networkx as nx  # noqa: PLC0415 - it takes 0.1 s, and the window is to be there before
+
         graph = self.graph()
         try:
             edges = nx.find_cycle(graph)
@@ -69,6 +75,8 @@ class Library:
         Raises:
             LibraryError: The automata form a cycle, which is spelled out, or one that is held is missing.
         """
+        import networkx as nx  # noqa: PLC0415 - it takes 0.1 s, and the window is to be there before
+
         self.refuse_cycle()
         order = nx.lexicographical_topological_sort(self.graph().reverse(), key=lambda i: self.get(i).name)
         return tuple(self.get(i) for i in order)
@@ -84,6 +92,8 @@ class Library:
 
     def all_users(self, automaton_id: str) -> frozenset[str]:
         """Ids of all automata that hold this one, directly or not."""
+        import networkx as nx  # noqa: PLC0415 - it takes 0.1 s, and the window is to be there before
+
         graph = self.graph()
         return frozenset(nx.ancestors(graph, automaton_id)) if automaton_id in graph else frozenset()
 

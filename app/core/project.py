@@ -11,6 +11,10 @@ from .vocabulary import Vocabulary
 
 #: A value of a scenario's parameter.
 Value = float | int | str | bool
+#: Where a state stands when its automaton is drawn: its center, in pixels, y downward.
+Position = tuple[float, float]
+#: State id -> where the user put it; the program places the others.
+Positions = Mapping[str, Position]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +103,7 @@ class Project:
         examples: By type name, then automaton id, in the order in which they were recorded.
         moments: By hash.
         arms, demonstrations: By name and id, in the order in which they are shown.
+        layouts: By type name, then automaton id: where the user put states, apart from what they do.
     """
 
     name: str
@@ -111,6 +116,7 @@ class Project:
     arms: tuple[Arm, ...] = ()
     demonstrations: tuple[Demonstration, ...] = ()
     note: str = ""
+    layouts: Mapping[str, Mapping[str, Positions]] = field(default_factory=dict)
 
     def library(self, type_name: str) -> Library:
         """The library of a type; empty if it has none yet."""
@@ -119,6 +125,10 @@ class Project:
     def examples_of(self, type_name: str, automaton_id: str) -> tuple[Example, ...]:
         """The examples of one automaton, disabled ones included."""
         return self.examples.get(type_name, {}).get(automaton_id, ())
+
+    def layout_of(self, type_name: str, automaton_id: str) -> Positions:
+        """Where the user put states of one automaton."""
+        return self.layouts.get(type_name, {}).get(automaton_id, {})
 
     def arm(self, name: str) -> Arm:
         """The arm called *name*.

@@ -33,12 +33,30 @@ class FeatureKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Phrases:
-    """Short words for a feature, put into sentences by the window: "sees a box", "is farther than 8 from deposit"."""
+    """Short words for a feature, from which sentences are made: "sees a box", "farther than 8 from deposit".
+
+    They go on from "it": with a verb ("sees a box"), or with what it is ("within 8 of deposit"); or they are a clause of
+    their own ("its box is full", "{target} lies between {start} and {end}"). The names of target parameters stand for
+    the targets.
+
+    Attributes:
+        true, false: For boolean features; for toroidal ones in and outside of an arc, from {start} to {end}; for
+            categorical ones with or without the category {value}.
+        above, below, between: For continuous features: above {value}, at most {value}, above {low} and at most {high}.
+        at: The value itself, {value}.
+        some, none: That there is a target to the feature, or none; where its default is above all values with a target.
+        detail: What explanations add to *true* and *false*: "that still needs pullers".
+    """
 
     true: str = ""
     false: str = ""
     above: str = ""
     below: str = ""
+    between: str = ""
+    at: str = ""
+    some: str = ""
+    none: str = ""
+    detail: str = ""
 
 
 @dataclass(frozen=True, slots=True)

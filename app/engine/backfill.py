@@ -1,7 +1,7 @@
 """Features added after demonstrating: their values are read from the moments that the examples were recorded in."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 
 from ..core.actor import Actor, Run
 from ..core.automaton import Automaton
@@ -26,19 +26,33 @@ class Filled:
     Attributes:
         project: With the values that could be read.
         missed: Example id -> why its moment does not tell all that the example lacks.
+        found: Example id -> the values that could be read.
     """
 
     project: Project
     missed: Mapping[str, str]
+    found: Mapping[str, Values] = field(default_factory=dict)
 
 
-def fill_values(project: Project, scenario: Scenario, type_name: str, automaton_id: str) -> Filled:
-    """Give every example the values of the automaton's features that it lacks, as far as its moment tells them."""
+def fill_values(
+    project: Project,
+    scenario: Scenario,
+    type_name: str,
+    automaton_id: str,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Filled:
+    """Give every example the values of the automaton's features that it lacks, as far as its moment tells them.
+
+    Args:
+        cancelled: Asked between examples; if it returns true, the others are left as they are.
+    """
     automaton = project.library(type_name).get(automaton_id)
     moments = _Moments(project, scenario)
     found: dict[str, Values] = {}
     missed: dict[str, str] = {}
     for example in project.examples_of(type_name, automaton_id):
+        if cancelled():
+            break
         values: dict[str, float] = {}
         for use in automaton.features:
             if use.id not in example.values:
@@ -48,7 +62,7 @@ def fill_values(project: Project, scenario: Scenario, type_name: str, automaton_
                     missed[example.id] = str(error)
         if values:
             found[example.id] = values
-    return Filled(set_values(project, type_name, automaton_id, found) if found else project, missed)
+    return Filled(set_values(project, type_name, automaton_id, found) if found else project, missed, found)
 
 
 def read_values(project: Project, scenario: Scenario, automaton: Automaton, example: Example) -> Values:

@@ -137,6 +137,67 @@ class MoveEntity:
     y: float
 
 
+@dataclass(frozen=True, slots=True)
+class UndoMove:
+    """Put an entity back to where it was before it was moved.
+
+    If no tick has passed since, the whole world is as it was; later, only the entity's place.
+
+    Attributes:
+        number: Of the move, see `app.engine.snapshots.Moved`.
+    """
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class RedoMove:
+    """Move an entity again to where it had been moved before that was undone."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class AskMe:
+    """While testing, stop before a node does what it is not sure of, and ask, see `app.engine.snapshots.Asked`.
+
+    Attributes:
+        nodes: Whose decisions are looked at; none turns asking off.
+        below: Ask where the most probable next state has a probability below this; None does not ask for that reason.
+        beyond: Ask where what the node sees is farther than this from every example of that state; 1 is as far apart as
+            the examples of the automaton are. None does not ask for that reason.
+    """
+
+    nodes: tuple[str, ...] = ()
+    below: float | None = None
+    beyond: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LetGo:
+    """The node that was asked about may decide by itself, here and wherever the same decides again in this test."""
+
+
+@dataclass(frozen=True, slots=True)
+class GoTo:
+    """Go to the world as it was or will be before *tick* of this run; while no one is taught or tested.
+
+    Any `Play`, `Pause`, `Reset`, `UseArm`, `Teach` or `GoTo` ends the journey where it is.
+    """
+
+    tick: int
+
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """Show in every snapshot what these nodes are about to decide, instead of those of before.
+
+    Nodes that do not exist are left out, until they do in another arm.
+    """
+
+    nodes: tuple[str, ...] = ()
+
+
 Command = (
     UseProject
     | UseArm
@@ -151,4 +212,10 @@ Command = (
     | Pause
     | Step
     | MoveEntity
+    | UndoMove
+    | RedoMove
+    | AskMe
+    | LetGo
+    | GoTo
+    | Watch
 )

@@ -1,9 +1,7 @@
 """Learning beside the session: asked for with a revision, answered later with the same one."""
 
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from threading import Event
 from typing import Protocol
 
 from ..core.errors import UnderstudyError
@@ -11,6 +9,7 @@ from ..core.project import Project
 from ..core.vocabulary import Vocabulary
 from ..learner.builder import LearningCancelled
 from ..learner.trainer import Learned, learn
+from .worker import Worker
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +79,7 @@ class InlineLearner:
         """Nothing is open."""
 
 
-class WorkerLearner:
+class WorkerLearner(Worker[Question, Answer]):
     """Learns in a thread of its own."""
 
     def __init__(self, ready: Callable[[], None] = lambda: None) -> None:
@@ -89,36 +88,8 @@ class WorkerLearner:
         Args:
             ready: Called from the worker when an answer has come; it must only wake somebody up.
         """
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="learner")
-        self._ready = ready
-        self._open: tuple[Question, Future[Answer], Event] | None = None
+        super().__init__(answer, _broken, ready, "learner")
 
-    def ask(self, question: Question) -> None:
-        """Begin to learn; an earlier question that is still open is given up."""
-        self._give_up()
-        stop = Event()
-        future = self._pool.submit(answer, question, stop.is_set)
-        future.add_done_callback(lambda _: self._ready())
-        self._open = question, future, stop
 
-    def answers(self) -> list[Answer]:
-        """The answer to the last question, once it has come; a learner that breaks down answers so as well."""
-        if self._open is None or not self._open[1].done():
-            return []
-        (question, future, _), self._open = self._open, None
-        error = future.exception()
-        if error is not None:
-            return [Answer(question, problem=f"learning failed: {type(error).__name__}: {error}")]
-        return [future.result()]
-
-    def close(self) -> None:
-        """Give up what is open and wait for the thread to end."""
-        self._give_up()
-        self._pool.shutdown(wait=True, cancel_futures=True)
-
-    def _give_up(self) -> None:
-        if self._open is not None:
-            _, future, stop = self._open
-            stop.set()
-            future.cancel()
-            self._open = None
+def _broken(question: Question, why: str) -> Answer:
+    return Answer(question, problem=f"learning failed: {why}")

@@ -18,14 +18,16 @@ from ..core.machine_state import MachineState, freeze
 from ..core.naming import next_number
 from ..core.project import Project
 from ..core.storage.moments import moment_hash
-from ..sim.engine import Control, Engine
+from ..sim.engine import Control, Engine, Past
 from .acts import Act, part_of, past, put_back
 from .commands import Teach
 from .departures import Departure, Departures
+from .looking_back import LookBack
 from .moments import forest_hash, take
 from .plan import automaton_of, check_plan, is_taught_one, some, still_nodes
 from .recording import Triple, on_entry, seen, triples
 from .runs import Treatment
+from .snapshots import LessonView
 
 
 class Lesson:
@@ -54,7 +56,7 @@ class Lesson:
         self.testing = False
         self.taught = frozenset(plan.nodes)
         self.treatment = treatment
-        self._engine = engine
+        self.engine = engine
         self._forest = treatment.arm.forest()
         self._forest_hash = forest_hash(self._forest)
         self._acts = past(earlier)
@@ -67,7 +69,7 @@ class Lesson:
         Raises:
             SessionError, LibraryError: The plan cannot be carried out any more, see `check_plan`.
         """
-        check_plan(self._engine.machine, self.plan)
+        check_plan(self.engine.machine, self.plan)
         self.testing = True
         self.taught = frozenset()
         self._acts = past(self._acts)
@@ -75,7 +77,7 @@ class Lesson:
 
     def _begin(self, pupils: Iterable[Node]) -> None:
         self._pupils = {node.id: node for node in pupils}
-        machine = self._engine.machine
+        machine = self.engine.machine
         self._departures = Departures(self._moment, len(machine.actors))
         self._still = still_nodes(self._forest, self._pupils.values(), self.plan.others)
         name = automaton_of(machine, self.plan).name
@@ -84,9 +86,24 @@ class Lesson:
             machine.direct(node_id, name, arguments)
 
     @property
+    def engine(self) -> Engine:
+        """What passes its ticks; one that takes over its world may take its place."""
+        return self._engine
+
+    @engine.setter
+    def engine(self, engine: Engine) -> None:
+        self._engine = engine
+        engine.departed = self._look_back
+
+    @property
     def acts(self) -> Sequence[Act]:
         """What can be undone, the oldest first."""
         return self._acts
+
+    def view(self) -> LessonView:
+        """What a snapshot shows of it."""
+        waiting = frozenset(act.node for act in self._acts if not act.done)
+        return LessonView(self.plan, self.testing, self.taught, len(self._acts), waiting)
 
     # ------------------------------------------------------------------------------------------- control
 
@@ -95,6 +112,20 @@ class Lesson:
         """Who decides in the coming tick."""
         picks = {act.node: act.goal for act in self._acts if not act.done}
         return Control(picks, self.taught, self._still, listen=self.testing)
+
+    def decides(self, node_id: str) -> bool:
+        """Whether a node is tested and decides by itself in the coming tick."""
+        return (
+            self.testing
+            and node_id in self._pupils
+            and node_id not in self.taught
+            and node_id not in self._still
+        )
+
+    def hand_back(self, node_id: str) -> None:
+        """Let a node of the test decide by itself again."""
+        if self.testing:
+            self.taught -= {node_id}
 
     def ticked(self) -> None:
         """A tick has passed, and with it the picks were carried out."""
@@ -106,9 +137,16 @@ class Lesson:
         if run is None or not self.testing or actor.node.id not in self._pupils:
             return
         if is_taught_one(run, self.plan):
-            engine = self._engine
+            engine = self.engine
             values = seen(engine.machine, engine.senses, actor, run, automaton_of(engine.machine, self.plan))
             self._departures.note(actor.node.id, Departure(run.state, values, engine.tick))
+
+    def _look_back(self, past: Past) -> None:
+        """Remember who of the lesson has left a state by itself in a tick that has passed."""
+        nodes = [n for n, automaton in past.left if n in self._pupils and automaton == self.plan.automaton]
+        if nodes and self.testing:
+            back = LookBack(past, nodes, self.plan, self.treatment, self._forest_hash)
+            self._departures.note_unasked(back)
 
     def project_changed(self) -> list[str]:
         """Go on after an edit of the project; returns what picks cannot be carried out any more, and why.
@@ -116,14 +154,14 @@ class Lesson:
         Raises:
             SessionError, LibraryError: The lesson cannot go on, see `check_plan`.
         """
-        check_plan(self._engine.machine, self.plan)
+        check_plan(self.engine.machine, self.plan)
         lost = {act.node: why for act in self._acts if not act.done and (why := self._obstacle(act))}
         self._acts = [replace(act, done=True) if act.node in lost else act for act in self._acts]
         return [f"what was picked for {node!r} is not done: {why}" for node, why in lost.items()]
 
     def _obstacle(self, act: Act) -> str:
         """Why a pick cannot be carried out; empty if it can."""
-        automaton = automaton_of(self._engine.machine, self.plan)
+        automaton = automaton_of(self.engine.machine, self.plan)
         if not automaton.has_state(act.goal):
             return f"the state {act.goal!r} is gone from {automaton.name!r}"
         try:
@@ -149,7 +187,7 @@ class Lesson:
             EditError, BindingError: The choice is not possible in the automaton, or needs a target that is open.
         """
         actor, run = self._running(node_id)
-        machine, plan = self._engine.machine, self.plan
+        machine, plan = self.engine.machine, self.plan
         state, added = state_for(
             project,
             self.treatment.scenario.vocabulary,
@@ -159,11 +197,11 @@ class Lesson:
         )
         self._refuse_open(actor, run, state)
         automaton = automaton_of(machine, plan)
-        values = seen(machine, self._engine.senses, actor, run, automaton)
+        values = seen(machine, self.engine.senses, actor, run, automaton)
         entered = on_entry(machine, actor, automaton, state, values)
         taught = triples(automaton, machine.types.vocabulary(plan.type), run, state, values, entered)
         moment = self._moment()
-        recorded = self._filed(project, node_id, taught, added, moment, self._engine.tick)
+        recorded = self._filed(project, node_id, taught, added, moment, self.engine.tick)
         return self._act(node_id, recorded, state.id, moment.machine)
 
     def should_not_have_left(self, project: Project, node_id: str) -> Act:
@@ -182,7 +220,7 @@ class Lesson:
             raise SessionError(
                 f"{node_id!r} has left no state by itself since the test began: nothing to mend"
             )
-        automaton = automaton_of(self._engine.machine, self.plan)
+        automaton = automaton_of(self.engine.machine, self.plan)
         if not automaton.has_state(left.state):
             raise SessionError(
                 f"{node_id!r} left the state {left.state!r}, which is gone from {automaton.name!r}"
@@ -190,7 +228,7 @@ class Lesson:
         self._refuse_open(actor, run, automaton.state(left.state))
         stays = [Triple(left.state, left.state, left.values)]
         recorded = self._filed(project, node_id, stays, None, self._departures.moment(left), left.tick)
-        act = self._act(node_id, recorded, left.state, freeze(self._engine.machine))
+        act = self._act(node_id, recorded, left.state, freeze(self.engine.machine))
         return replace(act, mended=left)
 
     def add(self, act: Act) -> None:
@@ -215,7 +253,7 @@ class Lesson:
             raise SessionError("there is no pick left to take back in this lesson")
         act = self._acts.pop()
         self._unmend(act)
-        put_back(self._engine.machine, act)
+        put_back(self.engine.machine, act)
         if act.before is not None and not act.was_taught:
             self.taught -= {act.node}
         return act
@@ -230,7 +268,7 @@ class Lesson:
         return next((state.content for state in added if state and state.id == choice), choice)
 
     def _refuse_open(self, actor: Actor, run: Run, state: State) -> None:
-        types, type_name = self._engine.machine.types, self.plan.type
+        types, type_name = self.engine.machine.types, self.plan.type
         match state.content:
             case Basic(name, bindings):
                 bind(types.vocabulary(type_name).behavior(name).parameters, bindings, actor, run, state)
@@ -241,7 +279,7 @@ class Lesson:
         if node_id not in self._pupils:
             there = some(list(self._pupils))
             raise SessionError(f"{node_id!r} is not taught or tested now; pick for one of: {there}")
-        actor = self._engine.machine.actors[node_id]
+        actor = self.engine.machine.actors[node_id]
         if actor.run is None or not is_taught_one(actor.run, self.plan):
             raise SessionError(
                 f"{node_id!r} does not run {self.plan.automaton!r} now; start teaching it again"
@@ -253,7 +291,7 @@ class Lesson:
         return Act(node_id, recorded, goal, before, node_id in self.taught)
 
     def _moment(self) -> Moment:
-        return take(self._engine, self.treatment, self._forest_hash)
+        return take(self.engine, self.treatment, self._forest_hash)
 
     def _filed(
         self,

@@ -22,9 +22,15 @@ ROUNDING = 1e-6
 class Timed(Protocol):
     """What ticks are dealt out to: a session."""
 
-    speed: float | None
-    due: int
     revision: int
+
+    @property
+    def speed(self) -> float | None:
+        """As in `Play`; 0 when paused."""
+
+    @property
+    def due(self) -> int:
+        """Ticks that were asked for and that have not passed yet."""
 
     @property
     def playing(self) -> bool:

@@ -17,6 +17,8 @@ from ..sim.scenarios import shipped
 
 #: What a project's ``scenario`` says when it brings its own code, and the name of that file in its folder.
 OWN_CODE = "scenario.py"
+#: The name of such a module once it runs.
+OWN_MODULE = "understudy_project_scenario"
 #: The name of this package where it is installed, by which projects import from it, and the one it runs as.
 PUBLIC_NAME, RUNS_AS = "understudy", __name__.split(".", maxsplit=1)[0]
 
@@ -51,6 +53,27 @@ def open_scenario(project: Project, folder: Path | None = None, *, trust: bool =
     return _own(path)
 
 
+def whereabouts(scenario: Scenario) -> tuple[str, str, str]:
+    """The name, module and file of a scenario, by which another process finds it, see `found_again`."""
+    reset = scenario.stages["reset"]
+    return scenario.name, reset.__module__, reset.__code__.co_filename
+
+
+def found_again(name: str, module: str, path: str) -> Scenario:
+    """The scenario of this name, module and file, which runs already in the process that asks for it.
+
+    Raises:
+        ScenarioError: It is not there any more, or its module fails.
+    """
+    if module == OWN_MODULE:
+        return _own(Path(path))
+    found = [value for value in vars(import_module(module)).values() if isinstance(value, Scenario)]
+    for scenario in found:
+        if scenario.name == name:
+            return scenario
+    raise ScenarioError(f"{path}: no scenario {name!r} is declared there")
+
+
 def _own(path: Path) -> Scenario:
     """The scenario that the module at *path* declares as ``scenario``."""
     module = _executed(path)
@@ -68,7 +91,7 @@ def _executed(path: Path) -> ModuleType:
     """The module at *path*, run anew."""
     _refuse_missing(path)
     _offer_contract()
-    spec = spec_from_file_location("understudy_project_scenario", path, loader=_Unstored(path))
+    spec = spec_from_file_location(OWN_MODULE, path, loader=_Unstored(path))
     assert spec is not None
     assert spec.loader is not None
     module = module_from_spec(spec)
@@ -100,7 +123,7 @@ class _Unstored(SourceFileLoader):
     """Compiles a file each time: nothing is written into the user's project, and no edit is missed."""
 
     def __init__(self, path: Path) -> None:
-        super().__init__("understudy_project_scenario", str(path))
+        super().__init__(OWN_MODULE, str(path))
 
     def path_stats(self, path: str) -> dict[str, float]:
         """Refuse to tell a file's age, so that no bytecode is looked for or kept."""

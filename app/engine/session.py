@@ -5,105 +5,46 @@ same edits as events for the caller to make undoable.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import singledispatchmethod
-from math import isfinite
 
-from ..core.actor import Actor
 from ..core.errors import SessionError, UnderstudyError
-from ..core.machine_state import rebase
-from ..core.project import Project, Value
-from ..sim.engine import Control, Engine
-from ..sim.scenario import Scenario
-from ..sim.world import FrozenWorld
-from .acts import Act
-from .carrying_over import EditLog, arm_now, losses
+from ..sim.engines import COMPILED, REFERENCE
 from .commands import (
+    AskMe,
     Command,
+    GoTo,
+    LetGo,
     MoveEntity,
     Pause,
     Pick,
     Play,
+    RedoMove,
     Reset,
     RunArm,
     ShouldNotHaveLeft,
     Step,
     Teach,
     Test,
+    UndoMove,
     UndoPick,
     UseArm,
     UseProject,
+    Watch,
 )
+from .course import Course
 from .directing import direct_roots
-from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
-from .models import Models
-from .runs import Treatment, start_engine, treatment
-from .snapshots import (
-    Edit,
-    Event,
-    Interrupted,
-    Mode,
-    Picked,
-    Refused,
-    Relearned,
-    Snapshot,
-    TakenBack,
-    edited,
-    views,
-)
-
-#: Nobody is taught, and nobody has to be told who leaves a state.
-UNOBSERVED = Control(listen=False)
+from .snapshots import Event, Interrupted, Mode, Snapshot, TakenBack, Watched
+from .watching import watched
 
 
-class Session:
+class Session(Course):
     """Obeys commands and passes ticks.
 
     Attributes:
         project: The session's copy.
         revision: Grows with every change of that copy.
-        speed: As in `Play`; 0 when paused.
-        due: Ticks that `Step` asked for and that have not passed yet.
     """
-
-    def __init__(
-        self,
-        project: Project,
-        scenario: Scenario,
-        arm: str,
-        seed: int = 1,
-        learner: Learner | None = None,
-        settings: Mapping[str, Value] | None = None,
-    ) -> None:
-        """Begin with *arm*, its roots running its top behavior, paused.
-
-        Args:
-            settings: As in `UseArm`.
-
-        Raises:
-            UnderstudyError: The arm does not exist or cannot run.
-        """
-        self.project = project
-        self.revision = 0
-        self.speed: float | None = 0.0
-        self.due = 0
-        self._scenario = scenario
-        self._learner = learner or InlineLearner()
-        self._models = Models(scenario.vocabulary)
-        self._models.use(project)
-        self._tickets = 0
-        self._events: list[Event] = []
-        self._log = EditLog()
-        self._lesson: Lesson | None = None
-        self._waits_for: Question | None = None
-        self._asked_by = 0
-        self._failure = ""
-        self._settings = settings or {}
-        self._seed = seed
-        self._treatment = self._treat(arm, self._settings)
-        self._engine: Engine = start_engine(self._treatment, seed, self._leaving)
-        self._world: FrozenWorld = self._engine.frozen_world()
 
     # ------------------------------------------------------------------------------------- in and out
 
@@ -122,20 +63,10 @@ class Session:
         self.pass_ticks(ticks)
         return self.snapshot()
 
-    def settle(self) -> None:
-        """Take in models that were learned meanwhile."""
-        for answer in self._learner.answers():
-            self._take(answer)
-
     def events(self) -> list[Event]:
         """What happened since the last call, in order."""
         events, self._events = self._events, []
         return events
-
-    @property
-    def playing(self) -> bool:
-        """Whether time is to pass. It stands still while a lesson waits for what it learns, and after a failure."""
-        return (self.speed != 0.0 or self.due > 0) and self._waits_for is None and not self._failure
 
     @property
     def mode(self) -> Mode:
@@ -147,68 +78,43 @@ class Session:
         return Mode.TESTING if self._lesson.testing else Mode.TEACHING
 
     @property
-    def tick(self) -> int:
-        """The tick that comes next."""
-        return self._engine.tick
-
-    @property
     def acknowledged(self) -> int:
         """The last ticket that was dealt with."""
         return self._tickets
 
-    def fail(self, message: str) -> None:
-        """Stop the world and say why; the project is untouched."""
-        self._failure = message
-        self.speed, self.due = 0.0, 0
-        self._refuse(f"{message}. The world stands still; reset it to go on.")
-
     def snapshot(self) -> Snapshot:
         """The session as it is now; of a world that cannot be shown, the last that could."""
-        engine = self._engine
+        world, engine = self._world, self._world.engine
         try:
-            self._world = engine.frozen_world()
+            world.columns()
         except UnderstudyError as error:
-            if not self._failure:
+            if not world.failure:
                 self.fail(str(error))
         return Snapshot(
             acknowledged=self._tickets,
             tick=engine.tick,
             revision=self.revision,
             mode=self.mode,
-            speed=self.speed if self.due == 0 else 1.0,
-            seed=self._seed,
-            arm=self._treatment.arm.name,
-            world=self._world,
-            nodes=views(engine.shown, self._lesson.taught if self._lesson else ()),
+            speed=self._clock.shown,
+            seed=world.seed,
+            arm=world.treatment.arm.name,
+            columns=world.shown,
+            place=world.place,
+            doing=engine.doing(),
             measures=engine.measures(),
-            failure=self._failure,
+            taught=self._lesson.taught if self._lesson else frozenset(),
+            watched=self._watched(),
+            engine=COMPILED if engine.compiled else REFERENCE,
+            notice=engine.obstacle,
+            failure=world.failure,
+            lesson=self._lesson.view() if self._lesson else None,
+            asked=self._asked,
+            going_to=self._clock.going_to,
         )
 
-    def close(self) -> None:
-        """End what runs beside the session."""
-        self._learner.close()
-
-    def _refuse(self, why: object) -> None:
-        self._events.append(Refused(self._tickets, str(why)))
-
-    # ------------------------------------------------------------------------------------------- time
-
-    def pass_ticks(self, ticks: int) -> None:
-        """Pass ticks, unless a lesson waits for what it learns, or the world has failed."""
-        if self._waits_for is not None or self._failure or ticks < 1:
-            return
-        first = self._engine.tick
-        try:
-            self._engine.step(ticks, UNOBSERVED if self._lesson is None else self._lesson.control)
-        except UnderstudyError as error:
-            self.fail(str(error))
-        if self._lesson is not None:
-            self._lesson.ticked()
-        self.due = max(0, self.due - (self._engine.tick - first))
-
-    def _leaving(self, actor: Actor, state: str) -> None:
-        if self._lesson is not None:
-            self._lesson.leaving(actor, state)
+    def _watched(self) -> Mapping[str, Watched]:
+        there = [node_id for node_id in self._watch if node_id in self._world.place.rows]
+        return watched(self._world.engine, there) if there else {}
 
     # --------------------------------------------------------------------------------------- commands
 
@@ -220,37 +126,35 @@ class Session:
     def _(self, command: UseProject) -> None:
         project, lost = self._log.on_top(command.project, command.applied)
         self._use(project)
+        self._reconsider()
         self._events += [Interrupted(f"what was just taught could not be kept: {why}") for why in lost]
 
     @_obey.register
     def _(self, command: UseArm) -> None:
         of = self._treat(command.arm, command.settings)
-        self._begin(start_engine(of, self._seed, self._leaving), of, None)
+        self._begin(self._start(of, self._world.seed), of, self._world.seed, None)
         self._settings = command.settings
-        self._waits_for = None
 
     @_obey.register
     def _(self, command: Reset) -> None:
-        seed = self._seed if command.seed is None else command.seed
-        of = self._treat(self._treatment.arm.name, self._settings)
-        engine = start_engine(of, seed, self._leaving, idle=self._lesson is not None)
+        seed = self._world.seed if command.seed is None else command.seed
+        of = self._treat(self._world.treatment.arm.name, self._settings)
+        engine = self._start(of, seed, idle=self._lesson is not None)
         lesson = None
         if self._lesson is not None:
             lesson = Lesson(engine, of, self._lesson.plan, self._lesson.acts)
             if self._lesson.testing:
                 lesson.test()
-        self._begin(engine, of, lesson)
-        self._seed = seed
+        self._begin(engine, of, seed, lesson, self._waits_for)
 
     @_obey.register
     def _(self, _: RunArm) -> None:
-        direct_roots(self._engine.machine, self._treatment.arm)
-        self._lesson, self._waits_for = None, None
+        direct_roots(self._world.engine.machine, self._world.treatment.arm)
+        self._enter(None)
 
     @_obey.register
     def _(self, command: Teach) -> None:
-        self._lesson = Lesson(self._engine, self._treatment, command)
-        self._waits_for = None
+        self._enter(Lesson(self._world.engine, self._world.treatment, command))
 
     @_obey.register
     def _(self, command: Pick) -> None:
@@ -265,135 +169,87 @@ class Session:
     @_obey.register
     def _(self, _: UndoPick) -> None:
         self._change(TakenBack(self._taught().undo().recorded))
+        self._reconsider()
 
     @_obey.register
     def _(self, _: Test) -> None:
         self._taught()
         self._asked_by = self._tickets
-        self._ask()
+        self._close_question()
+        self._learn()
+
+    @_obey.register
+    def _(self, command: AskMe) -> None:
+        self._asking.wish(command)
+        if not self._ask_again():
+            self._close_question()
+
+    @_obey.register
+    def _(self, _: LetGo) -> None:
+        if self._asked is None:
+            raise SessionError("nothing is asked now, so there is nothing to let go")
+        self._asking.let_go(self._world.engine, self._taught(), self._asked.node)
+        self._close_question()
 
     @_obey.register
     def _(self, command: Play) -> None:
-        self._refuse_failed()
-        if command.speed is not None and not (command.speed > 0 and isfinite(command.speed)):
-            raise SessionError(
-                f"the speed is {command.speed}; allowed: above 0 (1 is 60 ticks a second), or none for as fast as it can"
-            )
-        self.speed, self.due = command.speed, 0
+        self._refuse_standing()
+        self._clock.play(command.speed)
 
     @_obey.register
     def _(self, _: Pause) -> None:
-        self.speed, self.due = 0.0, 0
+        self._clock.pause()
 
     @_obey.register
     def _(self, command: Step) -> None:
-        self._refuse_failed()
-        if command.ticks < 1:
-            raise SessionError(f"a step is of 1 tick or more, but it is {command.ticks}")
-        self.speed, self.due = 0.0, self.due + command.ticks
+        self._refuse_standing()
+        self._clock.step(command.ticks)
+
+    @_obey.register
+    def _(self, command: GoTo) -> None:
+        if self._lesson is not None:
+            raise SessionError(
+                "a lesson cannot be gone back in: what was taught belongs to its own ticks. Run the arm first"
+            )
+        if command.tick < 0:
+            raise SessionError(f"there is no tick {command.tick}; the first is 0")
+        self._world.go_near(command.tick)
+        self._clock.go(command.tick, command.tick - self.tick)
 
     @_obey.register
     def _(self, command: MoveEntity) -> None:
-        self._engine.move(command.entity, command.x, command.y)
+        self._refuse_failed()
+        self._events.append(self._world.move(command.entity, command.x, command.y))
+        self._touched()
+
+    @_obey.register
+    def _(self, command: UndoMove) -> None:
+        self._refuse_failed()
+        self._world.undo_move(command.number)
+        self._touched()
+
+    @_obey.register
+    def _(self, command: RedoMove) -> None:
+        self._refuse_failed()
+        self._world.redo_move(command.number)
+        self._touched()
+
+    @_obey.register
+    def _(self, command: Watch) -> None:
+        self._watch = tuple(dict.fromkeys(command.nodes))
+
+    def _touched(self) -> None:
+        """The world was changed by hand: a journey ends here, and a question may be another."""
+        self._clock.stop_going()
+        self._reconsider()
 
     def _refuse_failed(self) -> None:
-        if self._failure:
-            raise SessionError(f"the world stands still: {self._failure}. Reset it to go on")
+        if self._world.failure:
+            raise SessionError(f"the world stands still: {self._world.failure}. Reset it to go on")
 
-    def _begin(self, engine: Engine, of: Treatment, lesson: Lesson | None) -> None:
-        """Go on in another world, in which nothing can fail any more."""
-        self._world = engine.frozen_world()
-        self._engine, self._treatment, self._lesson, self._failure = engine, of, lesson, ""
-        self.due = 0
-
-    # ------------------------------------------------------------------------------------------ the lesson
-
-    def _taught(self) -> Lesson:
-        if self._lesson is None:
-            raise SessionError("nothing is being taught; choose a behavior and an agent to teach first")
-        return self._lesson
-
-    def _without_waiting(self, node_id: str) -> Project:
-        """The project without what picks recorded that are to be replaced."""
-        project = self.project
-        for act in self._taught().waiting(node_id):
-            project = edited(project, TakenBack(act.recorded))
-        return project
-
-    def _do(self, lesson: Lesson, act: Act) -> None:
-        replaced = [TakenBack(old.recorded) for old in lesson.waiting(act.node)]
-        edited(self._without_waiting(act.node), Picked(act.recorded))  # raises before anything has changed
-        lesson.add(act)
-        self._change(*replaced, Picked(act.recorded))
-
-    # ----------------------------------------------------------------------------------------- the project
-
-    def _treat(self, arm: str, settings: Mapping[str, Value]) -> Treatment:
-        return treatment(
-            self.project,
-            self._scenario,
-            self.project.arm(arm),
-            settings,
-            classifiers=self._models.classifiers,
-        )
-
-    def _change(self, *edits: Edit) -> None:
-        """Make edits of the session's own, at once, and report them."""
-        project = self.project
-        for edit in edits:
-            project = edited(project, edit)
-            self._log.add(edit)
-        self._events += edits
-        self._use(project)
-
-    def _use(self, project: Project) -> None:
-        """Go on with another value of the project, every node in the same place as far as that still exists."""
-        old, self.project = self.project, project
-        self.revision += 1
-        arm = arm_now(self._treatment.arm, old, project)
-        self._treatment = replace(self._treatment, project=project, arm=arm)
-        if self._lesson is not None:
-            self._lesson.treatment = self._treatment
-        if project.libraries is old.libraries and project.types is old.types:
-            return  # only examples have changed: nobody does anything else
-        self._models.use(project)
-        try:
-            self._rebase()
-        except UnderstudyError as error:
-            self.fail(f"the world cannot go on with the changed project: {error}")
-
-    def _rebase(self) -> None:
-        machine, types = self._engine.machine, self.project.types_with(self._scenario.vocabulary)
-        before = views(machine)
-        rebase(machine, types, self._models.classifiers)
-        self._events += [Interrupted(loss) for loss in losses(before, views(machine))]
-        if self._lesson is not None:
-            try:
-                self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]
-            except UnderstudyError as error:
-                self._lesson, self._waits_for = None, None
-                self.speed, self.due = 0.0, 0
-                self._events.append(Interrupted(f"the lesson is over: {error}"))
-
-    # -------------------------------------------------------------------------------------------- learning
-
-    def _ask(self) -> None:
-        plan, vocabulary = self._taught().plan, self._scenario.vocabulary
-        question = Question(self.revision, self.project, vocabulary, plan.type, plan.automaton)
-        self._learner.ask(question)
-        self._waits_for = question
-
-    def _take(self, answer: Answer) -> None:
-        """Use what was learned, unless the project has changed meanwhile: then learn again."""
-        if self._lesson is None or answer.question is not self._waits_for:
-            return
-        if answer.question.revision != self.revision:
-            self._ask()
-            return
-        self._waits_for = None
-        if answer.learned is None:
-            self._events.append(Refused(self._asked_by, answer.problem))
-            return
-        self._change(Relearned(answer.learned))
-        if self._lesson is not None:  # it would be over if it could not go on
-            self._lesson.test()
+    def _refuse_standing(self) -> None:
+        self._refuse_failed()
+        if self._asked is not None:
+            raise SessionError(
+                f"{self._asked.reason}. Pick what it is to do, or let it decide by itself; then time goes on"
+            )

@@ -1,16 +1,45 @@
 """What a session shows of itself: frozen snapshots, and events that its caller turns into edits of the project."""
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
+from functools import cached_property
 
-from ..core.actor import Actor, Run
-from ..core.automaton import Automaton
 from ..core.edits.examples import Recorded, record_pick, take_back_pick
 from ..core.machine import Machine
 from ..core.project import Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
+from ..sim.doing import BehaviorRef, Doing, Roster, StateRef
+from ..sim.engine import Columns
 from ..sim.world import FrozenWorld
+from .commands import Teach
+from .place import Place
+from .watching import Watched, WatchedLevel
+
+__all__ = [
+    "Asked",
+    "BehaviorRef",
+    "Columns",
+    "Doing",
+    "Edit",
+    "Event",
+    "Interrupted",
+    "LessonView",
+    "Mode",
+    "Moved",
+    "NodeView",
+    "Picked",
+    "Place",
+    "Refused",
+    "Relearned",
+    "Snapshot",
+    "StateRef",
+    "TakenBack",
+    "Watched",
+    "WatchedLevel",
+    "edited",
+    "views",
+]
 
 
 class Mode(StrEnum):
@@ -42,8 +71,55 @@ class NodeView:
 
 
 @dataclass(frozen=True, slots=True)
+class LessonView:
+    """What is being taught or tested.
+
+    Attributes:
+        testing: What was learned is being tested.
+        taught: The nodes that do just what the user picks.
+        acts: How many can be taken back with `UndoPick`.
+        waiting: The nodes whose pick no tick has carried out yet.
+    """
+
+    plan: Teach
+    testing: bool
+    taught: frozenset[str]
+    acts: int
+    waiting: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """Time stands still, since a node that is tested is about to do what it is not sure of, see `AskMe`.
+
+    `Pick` answers what it is to do, `LetGo` that it may decide by itself.
+
+    Attributes:
+        type, automaton: What is tested.
+        state: The node's current state in it.
+        values: What it sees, by feature id.
+        outcome: The states that can come next, each once with its probability, the most probable first.
+        reason: Why it is asked, in words.
+        confidence: The probability of the most probable next state.
+        distance: How far what it sees is from the nearest example of that state, as in `AskMe`; infinite if it has none.
+    """
+
+    node: str
+    type: str
+    automaton: str
+    state: str
+    values: Mapping[str, float]
+    outcome: tuple[tuple[str, float], ...]
+    reason: str
+    confidence: float
+    distance: float
+
+
+@dataclass(frozen=True, eq=False)  # no slots: what is derived is kept once it was asked for
 class Snapshot:
     """The session between two ticks.
+
+    Two are equal if the same can be read from them, however the ticks were passed.
 
     Attributes:
         acknowledged: The last ticket that was dealt with.
@@ -51,6 +127,16 @@ class Snapshot:
         revision: Grows with every change of the session's copy of the project.
         speed: As in `Play`; 0 when paused.
         failure: What stopped the engine, in words; empty if nothing did.
+        columns: The world's columns, read-only: entries are entities, agents first, then each kind in its order.
+        place: What does not change while this world lives.
+        doing: What all nodes do.
+        taught: The nodes that do just what the user picks.
+        watched: What the nodes of the last `Watch` are about to decide, as far as there are such nodes.
+        engine: ``compiled`` or ``reference``: what passes the ticks.
+        notice: What is going on with the engine, or why it is not the compiled one; empty if there is nothing to say.
+        lesson: What is being taught or tested, if anything is.
+        asked: What the user has been asked and has not answered yet.
+        going_to: The tick that a `GoTo` is on its way to.
     """
 
     acknowledged: int
@@ -60,10 +146,36 @@ class Snapshot:
     speed: float | None
     seed: int
     arm: str
-    world: FrozenWorld = field(repr=False)
-    nodes: Mapping[str, NodeView] = field(repr=False)
+    columns: Columns = field(repr=False, compare=False)
+    place: Place = field(compare=False)
+    doing: Doing = field(repr=False, compare=False)
     measures: Mapping[str, float]
+    taught: frozenset[str] = field(default=frozenset(), repr=False)
+    watched: Mapping[str, Watched] = field(default_factory=dict, repr=False)
+    engine: str = field(default="", compare=False)
+    notice: str = field(default="", compare=False)
     failure: str = ""
+    lesson: LessonView | None = None
+    asked: Asked | None = None
+    going_to: int | None = None
+
+    __hash__ = None  # type: ignore[assignment]  # arrays have none
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Snapshot):
+            return NotImplemented
+        compared = [f.name for f in fields(self) if f.compare] + ["world", "nodes"]
+        return all(getattr(self, name) == getattr(other, name) for name in compared)
+
+    @cached_property
+    def world(self) -> FrozenWorld:
+        """The columns as plain numbers; worked out when it is first asked for."""
+        return {name: tuple(column.tolist()) for name, column in self.columns.items()}
+
+    @cached_property
+    def nodes(self) -> Mapping[str, NodeView]:
+        """What every node does, by id; worked out when it is first asked for."""
+        return views_of(self.doing, self.taught)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +214,26 @@ class Interrupted:
     message: str
 
 
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """The user moved an entity.
+
+    Attributes:
+        node_or_kind: The id of the agent, or the name of the entity's kind.
+        before, after: Its places, in world units; *after* is where the scenario let it go.
+        number: Names the move for `UndoMove` and `RedoMove`.
+    """
+
+    entity: int
+    node_or_kind: str
+    before: tuple[float, float]
+    after: tuple[float, float]
+    number: int
+
+
 #: What changed the session's copy of the project, and is to change the caller's in the same way, see `edited`.
 Edit = Picked | TakenBack | Relearned
-Event = Edit | Refused | Interrupted
+Event = Edit | Refused | Interrupted | Asked | Moved
 
 
 def edited(project: Project, edit: Edit) -> Project:
@@ -130,23 +259,25 @@ def _fits(project: Project, where: tuple[str, str], new: LearnedAutomaton) -> bo
     return automaton is not None and fingerprint(automaton, project.examples_of(*where)) == new.fingerprint
 
 
-def views(machine: Machine, taught: Container[str] = ()) -> Mapping[str, NodeView]:
+def views(machine: Machine) -> Mapping[str, NodeView]:
+    """What every node of *machine* does, by id."""
+    return views_of(Roster().doing(machine.actors))
+
+
+def views_of(doing: Doing, taught: Container[str] = ()) -> Mapping[str, NodeView]:
     """What every node does, by id."""
-    return {node_id: view(actor, taught=node_id in taught) for node_id, actor in machine.actors.items()}
+    behavior, state, flags = doing.behavior.tolist(), doing.state.tolist(), doing.flags.tolist()
+    return {
+        node_id: _view(doing, behavior[row], state[row], flags[row], taught=node_id in taught)
+        for node_id, row in doing.rows.items()
+    }
 
 
-def view(actor: Actor, *, taught: bool) -> NodeView:
-    """What *actor* does."""
-    path, basic, run = [], "", actor.run
-    while run is not None:
-        if isinstance(run.behavior, Automaton):
-            path.append((run.behavior.id, run.state))
-        else:
-            basic = run.behavior.name
-        run = run.child
-    flags = actor.flags | (actor.run.flags if actor.run else set())
-    return NodeView(_name(actor.run), tuple(path), basic, frozenset(flags), taught)
-
-
-def _name(run: Run | None) -> str:
-    return "" if run is None else run.behavior.name
+def _view(
+    doing: Doing, behavior: list[int], state: list[int], flags: list[bool], *, taught: bool
+) -> NodeView:
+    runs = [doing.behaviors[what] for what in behavior if what >= 0]
+    path = tuple((doing.states[where].automaton, doing.states[where].state) for where in state if where >= 0)
+    basic = runs[-1].name if runs and not runs[-1].id else ""
+    up = frozenset(name for name, is_up in zip(doing.flag_names, flags, strict=True) if is_up)
+    return NodeView(runs[0].name if runs else "", path, basic, up, taught)

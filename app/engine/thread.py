@@ -6,12 +6,14 @@ from dataclasses import replace
 from threading import Condition, Thread
 from time import monotonic
 
-from ..core.errors import SessionError
+from ..core.errors import SessionError, UnderstudyError
 from .commands import Command
 from .pace import FRAME, Pace
 from .session import Session
-from .snapshots import Event, Snapshot
+from .snapshots import Event, Refused, Snapshot
 
+#: Snapshots that take long are shown less often, so that ticks get at least so many times what they take.
+SHARE = 6
 #: Makes the session, given what wakes the thread up.
 MakeSession = Callable[[Callable[[], None]], Session]
 
@@ -21,20 +23,22 @@ class EngineThread:
 
     Commands are queued and answered by tickets; the newest snapshot wins, nothing is emitted per tick. Whatever goes
     wrong in the session ends up as a failure in the snapshot and as an event; the thread lives until it is closed.
+
+    Attributes:
+        broken: Why the session could not even be made, in words; then every command is refused.
     """
 
     def __init__(
         self, make: MakeSession, clock: Callable[[], float] = monotonic, wake: Condition | None = None
     ) -> None:
-        """Start the thread, paused.
+        """Start the thread, in which the session is made, paused; nobody has to wait for it.
 
         Args:
             make: Makes the session; it is given a function that wakes the thread.
             clock, wake: Give seconds and let the thread sleep; passed in so that tests can do without real time.
-
-        Raises:
-            UnderstudyError: The session cannot be made.
         """
+        self.broken = ""
+        self._make = make
         self._wake = wake or Condition()
         self._clock = clock
         self._inbox: deque[Command] = deque()
@@ -42,8 +46,8 @@ class EngineThread:
         self._tickets = 0
         self._stop = False
         self._nudged = False
-        self._session = make(self._nudge)
-        self._newest = self._session.snapshot()
+        self._session: Session | None = None
+        self._newest: Snapshot | None = None
         self._pace = Pace(clock)
         self._show_at = clock()
         self._thread = Thread(target=self._work, name="engine", daemon=True)
@@ -66,8 +70,8 @@ class EngineThread:
             return self._tickets
 
     @property
-    def newest(self) -> Snapshot:
-        """The last snapshot."""
+    def newest(self) -> Snapshot | None:
+        """The last snapshot; None until the session has begun."""
         return self._newest
 
     @property
@@ -82,35 +86,45 @@ class EngineThread:
             return events
 
     def wait_for(self, ready: Callable[[Snapshot], bool], timeout: float = 10.0) -> Snapshot:
-        """Wait for a snapshot that is *ready*.
+        """Wait for a snapshot that is *ready*; the first may still have to come.
 
         Raises:
-            SessionError: None will come, since the engine has failed or was closed; the message says why.
+            SessionError: None will come, since the engine could not begin, has failed or was closed; the message says why.
             TimeoutError: None came in *timeout* seconds.
         """
         with self._wake:
-            if not self._wake.wait_for(lambda: ready(self._newest) or self._ended(), timeout):
-                raise TimeoutError(
-                    f"no such snapshot in {timeout} s; the newest is at tick {self._newest.tick}"
-                )
-            if not ready(self._newest):
-                raise SessionError(self._ended())
-            return self._newest
+            self._wake.wait_for(lambda: self._is(ready) or self._ended(), timeout)
+            newest = self._newest
+            if newest is not None and ready(newest):
+                return newest
+            if ended := self._ended():
+                raise SessionError(ended)
+            there = "there is none yet" if newest is None else f"the newest is at tick {newest.tick}"
+            raise TimeoutError(f"no such snapshot in {timeout} s; {there}")
 
-    def close(self) -> None:
-        """Stop the thread and wait for its end."""
+    def leave(self) -> None:
+        """Let the thread end as soon as it can, which may take as long as a tick of a large world; wait for nothing."""
         with self._wake:
             self._stop = True
             self._wake.notify_all()
+
+    def close(self) -> None:
+        """Let the thread end, with all that runs beside it, and wait for that."""
+        self.leave()
         self._thread.join()
-        self._session.close()
+
+    def _is(self, ready: Callable[[Snapshot], bool]) -> bool:
+        return self._newest is not None and ready(self._newest)
 
     def _ended(self) -> str:
         """Why no snapshot will come unless another command does; empty if one may."""
         if self._stop:
             return "the engine is closed"
-        answered = self._newest.acknowledged >= self._tickets
-        return f"the engine stands still: {self._newest.failure}" if answered and self._newest.failure else ""
+        if self.broken:
+            return f"the engine could not begin: {self.broken}"
+        newest = self._newest
+        answered = newest is not None and newest.acknowledged >= self._tickets
+        return f"the engine stands still: {newest.failure}" if newest and answered and newest.failure else ""
 
     def _nudge(self) -> None:
         with self._wake:
@@ -120,46 +134,83 @@ class EngineThread:
     # -------------------------------------------------------------------------------------- in the thread
 
     def _work(self) -> None:
-        while self._sleep():
-            try:
-                self._round()
-            except BaseException as error:  # noqa: BLE001 - whatever it is, those who wait have to hear of it
-                self._fail(error)
+        session = self._begin()
+        if session is None:
+            self._refuse_all()
+            return
+        self._session = session
+        try:
+            while self._sleep(session):
+                try:
+                    self._round(session)
+                except BaseException as error:  # noqa: BLE001 - whatever it is, those who wait have to hear of it
+                    self._fail(session, error)
+        finally:
+            session.close()
 
-    def _sleep(self) -> bool:
+    def _begin(self) -> Session | None:
+        """Make the session; None, with the reason in `broken`, if that is not possible."""
+        session = None
+        try:
+            session = self._make(self._nudge)
+            self._post(session.snapshot(), session.events())
+        except BaseException as error:  # noqa: BLE001 - as above
+            why = str(error) if isinstance(error, UnderstudyError) else f"{type(error).__name__}: {error}"
+            if session is not None:
+                session.close()
+            with self._wake:
+                self.broken = why
+                self._outbox.append(Refused(0, why))
+                self._wake.notify_all()
+            return None
+        return session
+
+    def _refuse_all(self) -> None:
+        """Without a session, answer every command with the reason until the thread is closed."""
+        answered = 0
+        with self._wake:
+            while self._inbox or not self._stop:
+                if self._inbox:
+                    self._inbox.popleft()
+                    answered += 1
+                    self._outbox.append(Refused(answered, f"the engine could not begin: {self.broken}"))
+                else:
+                    self._wake.wait()
+
+    def _sleep(self, session: Session) -> bool:
         """Sleep until there is something to do; False when it is time to end."""
         with self._wake:
             while not (self._stop or self._inbox or self._nudged):
-                delay = self._pace.delay(self._session)
+                delay = self._pace.delay(session)
                 if delay == 0.0 or not self._wake.wait(delay):
                     break  # ticks are due
             return not self._stop
 
-    def _round(self) -> None:
+    def _round(self, session: Session) -> None:
         """Obey commands, take in what was learned, pass the ticks that are due, show what has become of it."""
-        answering = self._obey()
-        self._session.settle()
-        ticks = self._pace.ticks(self._session)
+        answering = self._obey(session)
+        session.settle()
+        ticks = self._pace.ticks(session)
         if ticks:
-            self._session.pass_ticks(ticks)
+            session.pass_ticks(ticks)
             self._pace.passed(ticks)
-        if answering or not self._session.playing or self._clock() >= self._show_at:
-            self._publish()
+        if answering or not session.playing or self._clock() >= self._show_at:
+            self._publish(session)
 
-    def _obey(self) -> bool:
+    def _obey(self, session: Session) -> bool:
         """Obey the commands that have come; whether somebody waits for an answer."""
         with self._wake:
             answering, self._nudged = self._nudged, False
         while self._inbox:
             answering = True
-            self._session.send(self._inbox.popleft())
+            session.send(self._inbox.popleft())
         return answering
 
-    def _publish(self) -> None:
+    def _publish(self, session: Session) -> None:
         began = self._clock()
-        snapshot, events = self._session.snapshot(), self._session.events()
+        snapshot, events = session.snapshot(), session.events()
         ended = self._clock()
-        self._show_at = ended + max(FRAME, 3 * (ended - began))  # a large world is not shown all the time
+        self._show_at = ended + max(FRAME, SHARE * (ended - began))  # a large world is not shown all the time
         self._post(snapshot, events)
 
     def _post(self, snapshot: Snapshot, events: list[Event]) -> None:
@@ -168,13 +219,13 @@ class EngineThread:
             self._outbox += events
             self._wake.notify_all()
 
-    def _fail(self, error: BaseException) -> None:
+    def _fail(self, session: Session, error: BaseException) -> None:
         """Tell of something that nobody foresaw."""
         why = f"{type(error).__name__}: {error}"
-        self._session.fail(why)
+        session.fail(why)
         try:
-            snapshot = self._session.snapshot()
+            snapshot = session.snapshot()
         except BaseException:  # noqa: BLE001 - it cannot be shown either: show the last one that could, stopped
-            ticket = self._session.acknowledged
-            snapshot = replace(self._newest, acknowledged=ticket, speed=0.0, failure=why)
-        self._post(snapshot, self._session.events())
+            assert self._newest is not None  # there was one when the session began
+            snapshot = replace(self._newest, acknowledged=session.acknowledged, speed=0.0, failure=why)
+        self._post(snapshot, session.events())

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 
 from ..core.automaton import Automaton, Model, Refit
+from ..core.cuts import with_cuts
 from ..core.errors import ExampleError
 from ..core.examples import Example
 from ..core.library import Library, Types
@@ -150,6 +151,8 @@ class _Task:
             if cancelled():
                 raise LearningCancelled
             fitted = fit(data, automaton.settings, cancelled)
+            if isinstance(fitted, Tree):
+                fitted = with_cuts(fitted, automaton.cuts_of(state))
             held_out = (
                 cross_validated(data, automaton.settings, cancelled, step) if self._cross_validate else None
             )
@@ -221,6 +224,8 @@ def fingerprint(automaton: Automaton, examples: Sequence[Example]) -> str:
         "options": {name: float(value) for name, value in settings.options.items()},
         "pruning": settings.pruning_confidence,
     }
+    if automaton.cuts:  # without any, what was learned before there were cuts is not stale
+        contents["cuts"] = [_plain(cut) for cut in automaton.cuts]
     found = hashlib.sha256(json.dumps(contents, sort_keys=True).encode())
     for record in sorted(_record(example, features) for example in kept):
         found.update(record)
@@ -237,6 +242,8 @@ def _plain(value: object) -> object:
     """A frozen value as JSON-ready data, with the name of its class."""
     if is_dataclass(value):
         return {type(value).__name__: {f.name: _plain(getattr(value, f.name)) for f in fields(value)}}
+    if isinstance(value, tuple):
+        return [_plain(item) for item in value]
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
     return value

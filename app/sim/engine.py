@@ -1,15 +1,22 @@
 """What every engine offers, so that one can replace another without a change elsewhere."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
+from numpy.typing import NDArray
+
+from ..core.actor import Actor
 from ..core.hierarchy import Hierarchy
 from ..core.library import Types
 from ..core.machine import Arguments, Leaving, Machine, Senses
 from ..core.project import Value
+from .doing import Doing
 from .scenario import Scenario
 from .world import FrozenWorld
+
+#: The world's columns by name, read-only.
+Columns = Mapping[str, NDArray[Any]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +59,49 @@ class Control:
 FREE = Control()
 
 
+class Past(Protocol):
+    """A tick that has passed, to be looked back on.
+
+    Attributes:
+        tick: Its number.
+        left: The nodes that left a state other than Start at their top, with the automata that they run; only nodes
+            without a controller that ticked, since who has one may have been directed.
+    """
+
+    tick: int
+    left: tuple[tuple[str, str], ...]
+
+    def watch(self, nodes: Iterable[str]) -> tuple[Machine, Senses]:
+        """What these nodes and all below them did and sensed when the tick began; until something else is looked at."""
+
+    def replay(self, leaving: Callable[[Machine, Actor], None]) -> None:
+        """Let all nodes decide once more as they did, and tell who leaves a state at its top, before it happens."""
+
+    def frozen_world(self) -> FrozenWorld:
+        """The world when the tick began."""
+
+
+#: Told of ticks in which somebody left a state.
+Departed = Callable[[Past], None]
+
+
 class Engine(Protocol):
-    """A world with its nodes, stepped tick by tick."""
+    """A world with its nodes, stepped tick by tick.
+
+    Attributes:
+        start: What the run began with.
+        obstacle: Why free ticks cannot be compiled; empty if they are, or if that was not asked for.
+        departed: Told after each compiled tick with a control that listens; without it, such ticks are not compiled. Of
+            ticks that are not, the observer is told while they pass.
+    """
+
+    start: Start
+    obstacle: str
+    departed: Departed | None
+
+    @property
+    def compiled(self) -> bool:
+        """Whether free ticks are compiled."""
 
     @property
     def tick(self) -> int:
@@ -76,6 +124,25 @@ class Engine(Protocol):
 
     def frozen_world(self) -> FrozenWorld:
         """A copy of the world."""
+
+    def columns(self) -> Columns:
+        """The same as arrays, much faster.
+
+        Raises:
+            ScenarioError: The scenario has put something into a column that does not belong there.
+        """
+
+    def doing(self) -> Doing:
+        """What all nodes do now, as arrays."""
+
+    def watch(self, nodes: Iterable[str]) -> tuple[Machine, Senses]:
+        """What these nodes and all below them do and can sense now, only to be looked at until time passes.
+
+        Other nodes of that machine may not be up to date.
+        """
+
+    def spans(self) -> Mapping[str, range]:
+        """The entities of each kind, agents included."""
 
     def restore(
         self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, object]

@@ -49,9 +49,11 @@ def make_engine(
     except UncompilableError as error:
         if kind == COMPILED:
             raise
+        engine = ReferenceEngine(start, leaving, classifiers)
+        engine.obstacle = f"{error}; it runs uncompiled, which is slower"
         if notice is not None:
-            notice(f"{error}; it runs uncompiled, which is slower")
-        return ReferenceEngine(start, leaving, classifiers)
+            notice(engine.obstacle)
+        return engine
 
 
 def refuse_uncompilable(scenario: Scenario) -> None:

@@ -6,7 +6,7 @@ from typing import Protocol
 from ..core.errors import ScenarioError
 from .engine import Start
 from .motion import Arrays, with_motion
-from .scenario import World
+from .scenario import Scenario, World
 
 KINEMATIC, RIGID = "kinematic", "rigid"
 PHYSICS = (KINEMATIC, RIGID)
@@ -31,9 +31,19 @@ def with_columns(start: Start) -> Start:
     Raises:
         ScenarioError: There is no such physics, or not in this scenario.
     """
-    if start.physics not in PHYSICS:
-        raise ScenarioError(f"there is no physics {start.physics!r}; there are: {', '.join(PHYSICS)}")
-    return start if start.physics == KINEMATIC else replace(start, scenario=with_motion(start.scenario))
+    scenario = in_physics(start.scenario, start.physics)
+    return start if scenario is start.scenario else replace(start, scenario=scenario)
+
+
+def in_physics(scenario: Scenario, physics: str) -> Scenario:
+    """The scenario with the columns that *physics* needs on top of its own.
+
+    Raises:
+        ScenarioError: There is no such physics, or not in this scenario.
+    """
+    if physics not in PHYSICS:
+        raise ScenarioError(f"there is no physics {physics!r}; there are: {', '.join(PHYSICS)}")
+    return scenario if physics == KINEMATIC else with_motion(scenario)
 
 
 def physics_of(start: Start, world: World) -> Physics | None:

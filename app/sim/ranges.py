@@ -1,10 +1,23 @@
 """Which values a feature can have, by its kind."""
 
+import re
+from collections.abc import Mapping
+from dataclasses import fields
 from math import inf, isfinite, nextafter
 from sys import float_info
 
 from ..core.errors import ScenarioError
 from ..core.vocabulary import Feature, FeatureKind
+
+#: What a phrase can tell besides the targets.
+SLOTS: Mapping[str, tuple[str, ...]] = {
+    "true": ("start", "end", "value"),
+    "false": ("start", "end", "value"),
+    "above": ("value",),
+    "below": ("value",),
+    "between": ("low", "high"),
+    "at": ("value",),
+}
 
 
 def closed_range(feature: Feature) -> tuple[float, float]:
@@ -41,7 +54,7 @@ def allowed(feature: Feature) -> str:
 
 
 def refuse_bad_feature(feature: Feature) -> None:
-    """Raise a `ScenarioError` if a feature is declared with a period, categories or a default that cannot be."""
+    """Raise a `ScenarioError` if a feature is declared with a period, categories, default or phrases that cannot be."""
     if feature.kind is FeatureKind.TOROIDAL and not (isfinite(feature.period) and feature.period > 0):
         raise ScenarioError(f"feature {feature.name!r} has the period {feature.period}; allowed: above 0")
     counted = len(set(feature.categories))
@@ -54,3 +67,15 @@ def refuse_bad_feature(feature: Feature) -> None:
         raise ScenarioError(
             f"the default of feature {feature.name!r} is {feature.default}; allowed: {allowed(feature)}"
         )
+    _refuse_bad_phrases(feature)
+
+
+def _refuse_bad_phrases(feature: Feature) -> None:
+    for field in fields(feature.phrases):
+        usable = (*SLOTS.get(field.name, ()), *feature.parameters)
+        for slot in re.findall(r"\{([^{}]*)\}", getattr(feature.phrases, field.name)):
+            if slot not in usable:
+                there = ", ".join(f"{{{name}}}" for name in usable) or "none"
+                raise ScenarioError(
+                    f"phrase {field.name!r} of feature {feature.name!r} has no words for {{{slot}}}; it has for: {there}"
+                )

@@ -1,14 +1,17 @@
 """The plain-Python engine: slow, obvious, and the specification of every other one (DESIGN section 6)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import isfinite
 from typing import Any
 
+import numpy as np
+
 from ..core.errors import ScenarioError
-from ..core.machine import Action, Classifiers, Leaving, Machine, stored_classifiers
+from ..core.machine import Action, Classifiers, Leaving, Machine, Senses, stored_classifiers
 from ..core.machine_state import thaw as thaw_machine
-from .engine import FREE, Control, Start
+from .doing import Doing, Roster
+from .engine import FREE, Columns, Control, Departed, Start
 from .failure import failed
 from .motion import with_rest
 from .physics import physics_of, with_columns
@@ -18,13 +21,26 @@ from .world import KEY, TICK, FrozenWorld, freeze, new_world, spans, thaw
 
 
 class ReferenceEngine:
-    """One world stepped by `app.core.machine` and the scenario's uncompiled functions."""
+    """One world stepped by `app.core.machine` and the scenario's uncompiled functions.
+
+    Attributes:
+        observed: Whether somebody is to be told who leaves a state.
+        departed: Never told anything: the observer is told of all ticks.
+        obstacle: Why this engine has to do instead of one that compiles, if so.
+        compiled: It never is.
+    """
+
+    compiled = False
 
     def __init__(
         self, start: Start, leaving: Leaving | None = None, classifiers: Classifiers = stored_classifiers
     ) -> None:
         start = with_columns(start)
         self.start = start
+        self.observed = leaving is not None
+        self.departed: Departed | None = None
+        self.obstacle = ""
+        self._roster = Roster()
         self._scenario = start.scenario
         self.world: World = new_world(
             start.scenario, start.parameters, start.hierarchy, start.seed, start.world
@@ -86,6 +102,25 @@ class ReferenceEngine:
     def frozen_world(self) -> FrozenWorld:
         """A copy of the world."""
         return freeze(self.world, self._scenario)
+
+    def columns(self) -> Columns:
+        """The same as arrays."""
+        whole = {column.name for column in self._scenario.columns if column.whole} | {"clock"}
+        columns = {
+            name: np.array(numbers, np.int64 if name in whole else np.float64)
+            for name, numbers in self.frozen_world().items()
+        }
+        for column in columns.values():
+            column.flags.writeable = False
+        return columns
+
+    def doing(self) -> Doing:
+        """What all nodes do now, as arrays."""
+        return self._roster.doing(self.machine.actors)
+
+    def watch(self, nodes: Iterable[str]) -> tuple[Machine, Senses]:  # noqa: ARG002 - it knows of all
+        """What these nodes and all below them do and can sense now."""
+        return self.machine, self.senses
 
     def restore(
         self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, Any]

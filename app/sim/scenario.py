@@ -76,6 +76,9 @@ that flag. A target that means nobody gives features their default and makes beh
 ``physics=rigid`` as well: then bodies with mass are moved instead, by ``drive`` and ``turn``, contact, walls, joints
 between agents and what they hold, and friction; the other stages stay the same.
 
+**Drawing.** A scenario with a `Look` says how large its world is, how large its entities are, what circles show how far
+they reach, and who holds what; without one, its entities are drawn where they are.
+
 **Values.** A boolean feature is 0.0 or 1.0, a categorical one the place of its category, a toroidal one lies in
 [-period/2, period/2). NaN and infinity are errors.
 
@@ -130,6 +133,7 @@ from .columns import (
 )
 from .failure import failed
 from .geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
+from .look import Look, refuse_bad_look
 from .parameters import checked, default, parameter_fields, quantity
 from .ranges import refuse_bad_feature
 
@@ -143,6 +147,7 @@ __all__ = [
     "Column",
     "FeatureKind",
     "Kind",
+    "Look",
     "Per",
     "Phrases",
     "Scenario",
@@ -174,9 +179,10 @@ class Scenario:
         measures: Name -> the column with a single entry that holds it.
         checks: Rules across parameters.
         bodies: What rigid physics has to know; without it there is kinematic physics only.
+        look: How its worlds are drawn; without it, what is there is drawn where it is.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913, PLR0917 - a scenario is declared in one piece, by keywords
         self,
         name: str,
         title: str,
@@ -186,6 +192,7 @@ class Scenario:
         measures: Mapping[str, str] | None = None,
         doc: str = "",
         bodies: Bodies | None = None,
+        look: Look | None = None,
     ) -> None:
         self.name = name
         self.title = title
@@ -193,6 +200,7 @@ class Scenario:
         self.parameters = parameters
         self.kinds = kinds
         self.bodies = bodies
+        self.look = look
         self.columns = (*STANDARD_COLUMNS, *columns)
         self.measures = dict(measures or {})
         self.features: dict[str, Callable[..., float]] = {}
@@ -210,6 +218,8 @@ class Scenario:
             refuse_bad_measures(self.measures, self.columns)
             if bodies is not None:
                 refuse_bad_bodies(bodies, kinds, columns, self._fields)
+            if look is not None:
+                refuse_bad_look(look, kinds, columns, self._fields)
 
     @property
     def vocabulary(self) -> Vocabulary:

@@ -7,8 +7,7 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
-from app.editor.canvas import SCALE
-from app.editor.curve_painting import (
+from app.editor.drawing.curve_painting import (
     BAND_ALPHA,
     WIDTH,
     abreast,
@@ -18,7 +17,8 @@ from app.editor.curve_painting import (
     painted,
     shown_keys,
 )
-from app.editor.curves import Band, Chart, Dot, Key, Plot, Row
+from app.editor.drawing.curves import Band, Chart, Dot, Key, Plot, Row
+from app.editor.drawing.sheet import SCALE
 from app.editor.palette import DARK, LIGHT
 
 WIDE = Band("one level", 0, 0, (0.0, 10.0), (0.0, 8.0), (0.0, 5.0), (0.0, 11.0))

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
-from app.editor.canvas import SCALE
-from app.editor.figures import Body, Figure, Series, Walker, WorldView
-from app.editor.painting import WIDTH, apart, height_of, painted, steps
+from app.editor.drawing.figures import Body, Figure, Series, Walker, WorldView
+from app.editor.drawing.painting import WIDTH, apart, height_of, painted, steps
+from app.editor.drawing.sheet import SCALE
 from app.editor.palette import DARK, LIGHT
 
 WORLD = WorldView(

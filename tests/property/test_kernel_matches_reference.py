@@ -4,11 +4,15 @@
 """
 
 import os
+from collections.abc import Mapping
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.core.machine_state import freeze
+from app.engine.snapshots import views, views_of
+from app.engine.watching import watched
+from app.sim.doing import Doing
 from app.sim.kernel import KernelEngine
 from app.sim.reference import ReferenceEngine
 from tests.random_runs import Witness, compare, difference, direct_roots, everything, random_start, two_owners
@@ -57,6 +61,49 @@ def test_a_run_that_is_gone_back_to_goes_on_as_before(seed: int, ticks: int) -> 
     found.restore(world, nodes)
     found.step(20)
     assert (found.frozen_world(), freeze(found.machine)) == (after, does)
+
+
+@settings(max_examples=EXAMPLES // 3)
+@given(SEEDS, st.integers(0, 20))
+def test_a_run_that_moves_to_the_compiled_engine_goes_on_as_if_it_had_not(seed: int, ticks: int) -> None:
+    start = random_start(seed)
+    reference, wanted = ReferenceEngine(start), ReferenceEngine(start)
+    for engine in (reference, wanted):
+        direct_roots(engine, seed)
+        engine.step(ticks)
+    found = KernelEngine(start, over=reference)
+    compare(found, wanted, 20)
+    assert found.obstacle == ""
+
+
+@settings(max_examples=EXAMPLES // 3)
+@given(SEEDS, st.integers(0, 40))
+def test_what_is_shown_is_the_same(seed: int, ticks: int) -> None:
+    found, wanted = pair(seed)
+    for engine in (found, wanted):
+        engine.step(ticks)
+    assert views_of(found.doing()) == views_of(wanted.doing()) == views(wanted.machine)
+    assert shown(found.doing()) == shown(wanted.doing())
+    columns, rightly = found.columns(), wanted.columns()
+    assert {n: (c.dtype, c.tolist()) for n, c in columns.items()} == {
+        n: (c.dtype, c.tolist()) for n, c in rightly.items()
+    }
+    ids = [node.id for node in found.start.hierarchy.walk()]
+    for watched_nodes in (ids[:1], ids[-1:], ids):
+        assert watched(found, watched_nodes) == watched(wanted, watched_nodes)
+    compare(found, wanted, 5)  # looking has changed nothing
+
+
+def shown(doing: Doing) -> Mapping[str, object]:
+    """What can be counted, and what colors each node."""
+    automata = {(ref.type, ref.automaton) for ref in doing.states}
+    counts = {automaton: doing.in_states(*automaton) for automaton in automata}
+    colors = [None if what < 0 else doing.behaviors[what] for what in doing.shown.tolist()]
+    return {
+        "counts": dict(doing.counts()),
+        "states": {k: v for k, v in counts.items() if v},
+        "colors": colors,
+    }
 
 
 def test_the_same_target_can_mean_two_entities_by_who_bound_it() -> None:

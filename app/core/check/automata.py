@@ -4,8 +4,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-import networkx as nx
-
 from ..automaton import START, Basic, Nested, Prune, RaiseFlag, Rule, Start, State
 from ..edits import bind_state, set_parameters
 from ..errors import LibraryError, ScenarioError
@@ -47,6 +45,8 @@ def _hiding(scope: Scope, file: str, name: str) -> Problem:
 
 def _recursion(scope: Scope) -> Iterator[Problem]:
     """One problem for each knot of automata that hold each other, with a cycle spelled out."""
+    import networkx as nx  # noqa: PLC0415 - it takes 0.1 s, and the window is to be there before
+
     graph = scope.library.graph()
     for knot in nx.strongly_connected_components(graph):
         inside = graph.subgraph(knot)

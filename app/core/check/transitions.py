@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ..automaton import START, Automaton, Basic, Model, RaiseFlag, Refit, Rule, State, reachable, successors
-from ..edits import remove_prune, remove_rule
+from ..edits import remove_cut, remove_prune, remove_rule
 from ..errors import LibraryError
 from ..examples import Example, enabled
 from ..project import Project
@@ -23,6 +23,7 @@ def transition_problems(subject: Subject, examples: tuple[Example, ...]) -> Iter
     states = {state.id: state for state in subject.automaton.states}
     yield from _rule_problems(subject, states, known)
     yield from _prune_problems(subject, states, known)
+    yield from _cut_problems(subject, states, known)
     models = [
         problem
         for source, model in subject.automaton.learned.items()
@@ -103,6 +104,20 @@ def _prune_problems(subject: Subject, states: dict[str, State], known: Known) ->
         for number, message in guard_problems(prune.guard, known):
             where = place("prunes", index, "guard", number)
             yield subject.error(where, f"{who} tests {message}", LibraryError, "remove the prune", remove)
+
+
+def _cut_problems(subject: Subject, states: dict[str, State], known: Known) -> Iterator[Problem]:
+    for index, cut in enumerate(subject.automaton.cuts):
+        who = f"cut {cut.id!r} of {subject.automaton.name}"
+        remove = subject.edit(remove_cut, cut.id)
+        if cut.source not in states:
+            message = f"{who} names state {cut.source!r}, which does not exist; {allowed(cut.source, states)}"
+            yield subject.error(
+                place("cuts", index, "source"), message, LibraryError, "remove the cut", remove
+            )
+        for message in test_problems(cut.test, known):
+            where = place("cuts", index, "test")
+            yield subject.error(where, f"{who} tests {message}", LibraryError, "remove the cut", remove)
 
 
 # ---------------------------------------------------------------------------------------------- models

@@ -29,6 +29,7 @@ from .behaviors import (
 )
 from .calls import Caller, callers, users
 from .copying import Where, copy_states
+from .cuts import move_cut, remove_cut
 from .demonstrations import (
     add_demonstration,
     move_demonstration,
@@ -67,6 +68,7 @@ from .forests import (
     rename_node,
     set_hierarchy,
 )
+from .layouts import forget_layout, move_states
 from .learned import add_prune, prune_weak, remove_prune, replace_prune, set_learned
 from .node_types import add_type, delete_type, rename_type, set_subsidiaries
 from .picking import state_for
@@ -117,12 +119,15 @@ __all__ = [
     "drop_feature",
     "duplicate_automaton",
     "enable_examples",
+    "forget_layout",
     "group_nodes",
     "move_arm",
+    "move_cut",
     "move_demonstration",
     "move_feature",
     "move_nodes",
     "move_state",
+    "move_states",
     "next_pick",
     "note_project",
     "note_state",
@@ -131,6 +136,7 @@ __all__ = [
     "rebind_feature",
     "record_pick",
     "relabel_examples",
+    "remove_cut",
     "remove_demonstration",
     "remove_node",
     "remove_prune",

@@ -19,6 +19,7 @@ from .place import (
     listed,
     with_automaton,
     with_examples,
+    with_layout,
     with_library,
 )
 from .recursion import refuse_recursion
@@ -80,7 +81,9 @@ def duplicate_automaton(
     name = name or fresh_name({a.name for a in automata.values()}, original.name)
     copy = replace(original, id=fresh_id(automata, name, "behavior"), name=name)
     examples = project.examples_of(type_name, automaton_id)
-    return with_examples(with_automaton(project, type_name, copy), type_name, copy.id, examples), copy.id
+    layout = project.layout_of(type_name, automaton_id)
+    project = with_layout(with_automaton(project, type_name, copy), type_name, copy.id, layout)
+    return with_examples(project, type_name, copy.id, examples), copy.id
 
 
 @says("Delete {automaton_id}")
@@ -106,6 +109,7 @@ def delete_automaton(
         project = _replace(project, type_name, automaton_id, replacement)
     rest = {i: a for i, a in project.library(type_name).automata.items() if i != automaton_id}
     project = with_examples(with_library(project, type_name, rest), type_name, automaton_id, ())
+    project = with_layout(project, type_name, automaton_id, {})
     taught = [d for d in project.demonstrations if (d.type, d.automaton) != (type_name, automaton_id)]
     return without_stray_moments(replace(project, demonstrations=tuple(taught)))
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from ..automaton import Automaton, Model, Prune, Refit, Rule
-from ..conditions import Guard
+from ..conditions import Condition, Guard
 from ..errors import EditError
 from ..examples import Example
 from ..features import FeatureUse, Sense, Source, Statistic, describe
@@ -77,6 +77,9 @@ def drop_feature(
         features=tuple(use for use in automaton.features if use.id != feature_id),
         rules=tuple(rule for rule in automaton.rules if not _tests(rule.guard, feature_id)),
         prunes=tuple(prune for prune in automaton.prunes if not _tests(prune.guard, feature_id)),
+        cuts=tuple(
+            cut for cut in automaton.cuts if not _tests((*cut.guard, Condition(cut.test)), feature_id)
+        ),
         **without_models(automaton, [feature_id]),
     )
 

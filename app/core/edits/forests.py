@@ -158,7 +158,8 @@ def _refuse_agent(forest: Hierarchy, arm: str, under: str) -> None:
 
 def _without(nodes: Nodes, ids: Collection[str]) -> Nodes:
     """*nodes* and what is below them, without those with these ids."""
-    return tuple(replace(n, children=_without(n.children, ids)) for n in nodes if n.id not in ids)
+    kept = (n for n in nodes if n.id not in ids)
+    return tuple(replace(n, children=_without(n.children, ids)) if n.children else n for n in kept)
 
 
 def _put(nodes: Nodes, new: Nodes, under: str, to: int | None = None) -> Nodes:
@@ -180,8 +181,10 @@ def _exchanged(nodes: Nodes, node_id: str, new: Nodes) -> Nodes:
     for node in nodes:
         if node.id == node_id:
             exchanged += new
-        else:
+        elif node.children:
             exchanged.append(replace(node, children=_exchanged(node.children, node_id, new)))
+        else:
+            exchanged.append(node)
     return tuple(exchanged)
 
 
@@ -192,5 +195,8 @@ def _tidied(nodes: Nodes, before: Hierarchy) -> Hierarchy:
 
 
 def _peopled(nodes: Nodes, controllers: Collection[str]) -> Nodes:
-    kept = (replace(node, children=_peopled(node.children, controllers)) for node in nodes)
+    kept = (
+        replace(node, children=_peopled(node.children, controllers)) if node.children else node
+        for node in nodes
+    )
     return tuple(node for node in kept if node.children or node.id not in controllers)

@@ -67,6 +67,7 @@ def rename_type(project: Project, name: str, new: str) -> Project:
         types=tuple(_renamed_type(t, name, new) for t in project.types),
         libraries=_renamed_key(project.libraries, name, new),
         examples=_renamed_key(project.examples, name, new),
+        layouts=_renamed_key(project.layouts, name, new),
         arms=tuple(_renamed_in_arm(arm, name, new) for arm in project.arms),
         demonstrations=tuple(replace(d, type=new) if d.type == name else d for d in project.demonstrations),
     )

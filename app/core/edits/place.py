@@ -10,7 +10,7 @@ from ..examples import Example
 from ..features import FeatureUse
 from ..library import Library, NodeType
 from ..naming import named
-from ..project import Project
+from ..project import Positions, Project
 
 
 def find_type(project: Project, type_name: str) -> NodeType:
@@ -101,6 +101,19 @@ def with_examples(
     if not kept:
         del by_type[type_name]
     return replace(project, examples=by_type)
+
+
+def with_layout(project: Project, type_name: str, automaton_id: str, layout: Positions) -> Project:
+    """*project* with this as the layout of an automaton; an empty one leaves no trace."""
+    if layout == project.layout_of(type_name, automaton_id):
+        return project
+    of_type = {**project.layouts.get(type_name, {}), automaton_id: layout}
+    if not layout:
+        del of_type[automaton_id]
+    layouts = {**project.layouts, type_name: of_type}
+    if not of_type:
+        del layouts[type_name]
+    return replace(project, layouts=layouts)
 
 
 def moved(items: tuple[Any, ...], index: int, to: int) -> tuple[Any, ...]:

@@ -13,7 +13,7 @@ from ..examples import Example
 from ..features import Binding
 from ..naming import fresh_id, shown_content
 from ..project import Project
-from .place import change, find_automaton, find_state, listed, moved, with_examples
+from .place import change, find_automaton, find_state, listed, moved, with_examples, with_layout
 from .recursion import refuse_recursion
 from .words import says
 
@@ -86,10 +86,13 @@ def remove_state(project: Project, type_name: str, automaton_id: str, state_id: 
         states=tuple(state for state in automaton.states if state.id != state_id),
         rules=tuple(rule for rule in automaton.rules if state_id not in (rule.source, rule.target)),
         prunes=_prunes_without(automaton.prunes, state_id),
+        cuts=tuple(cut for cut in automaton.cuts if cut.source != state_id),
         learned=learned,
         learned_from=automaton.learned_from if len(learned) == len(automaton.learned) else "",
     )
     examples = project.examples_of(type_name, automaton_id)
+    places = {i: at for i, at in project.layout_of(type_name, automaton_id).items() if i != state_id}
+    project = with_layout(project, type_name, automaton_id, places)
     return with_examples(project, type_name, automaton_id, tuple(_disabled(e, state_id) for e in examples))
 
 

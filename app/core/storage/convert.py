@@ -10,6 +10,7 @@ from ..automaton import (
     Automaton,
     Basic,
     Content,
+    Cut,
     Model,
     Nested,
     Prune,
@@ -38,6 +39,7 @@ from .schema import (
     AutomatonRecord,
     BasicRecord,
     BindingRecords,
+    CutRecord,
     EqualsRecord,
     FeatureUseRecord,
     FlagUpRecord,
@@ -72,6 +74,7 @@ def automaton_document(automaton: Automaton) -> Document:
         "learned": {state: _model_document(model) for state, model in automaton.learned.items()},
         "learned_from": automaton.learned_from,
         "prunes": [_prune_document(prune) for prune in automaton.prunes],
+        "cuts": [_cut_document(cut) for cut in automaton.cuts],
         "settings": _settings_document(automaton.settings),
         "note": automaton.note,
     }
@@ -91,6 +94,7 @@ def automaton_value(record: AutomatonRecord) -> Automaton:
         tuple(_prune_value(prune) for prune in record.prunes),
         _settings_value(record.settings),
         record.note,
+        tuple(_cut_value(cut) for cut in record.cuts),
     )
 
 
@@ -208,6 +212,15 @@ def _prune_document(prune: Prune) -> Document:
 
 def _prune_value(record: PruneRecord) -> Prune:
     return Prune(record.id, record.source, _guard_value(record.guard), frozenset(record.forbidden))
+
+
+def _cut_document(cut: Cut) -> Document:
+    test = _test_document(cut.test)
+    return {"id": cut.id, "source": cut.source, "guard": _guard_document(cut.guard), "test": test}
+
+
+def _cut_value(record: CutRecord) -> Cut:
+    return Cut(record.id, record.source, _guard_value(record.guard), _guard_value([record.test])[0].test)
 
 
 def _guard_document(guard: Guard) -> list[Document]:

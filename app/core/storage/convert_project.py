@@ -7,13 +7,14 @@ from typing import Any
 from ..examples import Example
 from ..hierarchy import Hierarchy, Node
 from ..library import NodeType
-from ..project import Arm, Demonstration, LevelTable, Pick, Project
+from ..project import Arm, Demonstration, LevelTable, Pick, Positions, Project
 from .convert import Document
 from .schema import (
     ArmRecord,
     DemonstrationRecord,
     ExampleRecord,
     ExamplesRecord,
+    LayoutRecord,
     NodeRecord,
     NodeTypeRecord,
     ProjectRecord,
@@ -65,6 +66,19 @@ def _example_value(record: ExampleRecord) -> Example:
         record.snapshot,
         record.pick,
     )
+
+
+def layout_document(automaton_id: str, layout: Positions) -> Document:
+    """Where states of one automaton were put, as ``layouts/TYPE/ID.json`` holds it."""
+    return {
+        "automaton": automaton_id,
+        "states": {state: {"x": x, "y": y} for state, (x, y) in layout.items()},
+    }
+
+
+def layout_value(record: LayoutRecord) -> Positions:
+    """The layout that *record* describes."""
+    return {state: (place.x, place.y) for state, place in record.states.items()}
 
 
 def demonstration_document(demonstration: Demonstration) -> Document:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from .fields import Record
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, ProjectRecord
+from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
 from .text import written
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -16,6 +16,7 @@ RECORDS: Mapping[str, type[Record]] = {
     "automaton": AutomatonRecord,
     "demonstration": DemonstrationRecord,
     "examples": ExamplesRecord,
+    "layout": LayoutRecord,
     "project": ProjectRecord,
 }
 

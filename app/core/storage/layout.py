@@ -7,15 +7,18 @@ from .fields import Record
 from .migrations import PROJECT_FILE
 from .moments import DIGITS
 from .names import MOMENTS
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, ProjectRecord
+from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
 
-LIBRARIES, EXAMPLES, DEMONSTRATIONS = "libraries", "examples", "demonstrations"
+LIBRARIES, EXAMPLES, LAYOUTS, DEMONSTRATIONS = "libraries", "examples", "layouts", "demonstrations"
+#: Folders that have a folder for each node type.
+BY_TYPE = (LIBRARIES, EXAMPLES, LAYOUTS)
 MOMENT_FILES = f"{EXAMPLES}/{MOMENTS}"
 #: What each folder's documents are.
 RECORDS: dict[str, type[Record]] = {
     PROJECT_FILE: ProjectRecord,
     LIBRARIES: AutomatonRecord,
     EXAMPLES: ExamplesRecord,
+    LAYOUTS: LayoutRecord,
     DEMONSTRATIONS: DemonstrationRecord,
 }
 
@@ -28,6 +31,11 @@ def automaton_file(type_name: str, automaton_id: str) -> str:
 def examples_file(type_name: str, automaton_id: str) -> str:
     """Holds the examples of one automaton."""
     return f"{EXAMPLES}/{type_name}/{automaton_id}.json"
+
+
+def layout_file(type_name: str, automaton_id: str) -> str:
+    """Holds where the user put states of one automaton."""
+    return f"{LAYOUTS}/{type_name}/{automaton_id}.json"
 
 
 def demonstration_file(demonstration_id: str) -> str:
@@ -62,10 +70,10 @@ Unlistable = Callable[[str, OSError], None]
 def documents(folder: Path, unlistable: Unlistable) -> Iterator[str]:
     """All JSON documents that make up the project in *folder*, besides ``project.json``.
 
-    Hidden files and files with other endings are not ours. A document that lies directly in ``libraries`` or
-    ``examples`` is given too: it belongs to no type, and whoever put it there should hear of it.
+    Hidden files and files with other endings are not ours. A document that lies directly in ``libraries``,
+    ``examples`` or ``layouts`` is given too: it belongs to no type, and whoever put it there should hear of it.
     """
-    for top in (LIBRARIES, EXAMPLES):
+    for top in BY_TYPE:
         for name in _names(folder, top, unlistable):
             path = f"{top}/{name}"
             if path != MOMENT_FILES and (folder / path).is_dir():
@@ -85,11 +93,12 @@ def moment_files(folder: Path) -> Iterator[str]:
 
 def folders(folder: Path) -> list[Path]:
     """All folders that files of a project lie in."""
-    tops = [folder / LIBRARIES, folder / EXAMPLES, folder / DEMONSTRATIONS]
+    by_type = [folder / top for top in BY_TYPE]
     return [
         folder,
-        *tops,
-        *(inner for top in tops[:2] if top.is_dir() for inner in top.iterdir() if inner.is_dir()),
+        *by_type,
+        folder / DEMONSTRATIONS,
+        *(inner for top in by_type if top.is_dir() for inner in top.iterdir() if inner.is_dir()),
     ]
 
 

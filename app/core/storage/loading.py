@@ -9,14 +9,13 @@ from pydantic import ValidationError
 
 from ..examples import Example
 from ..library import Library
-from ..project import Project
+from ..project import Positions, Project
 from .atomic import locked
 from .convert import automaton_value
-from .convert_project import demonstration_value, examples_value, project_value
+from .convert_project import demonstration_value, examples_value, layout_value, project_value
 from .fields import Record
 from .layout import (
-    EXAMPLES,
-    LIBRARIES,
+    BY_TYPE,
     demonstration_file,
     documents,
     id_in,
@@ -28,7 +27,7 @@ from .migrations import PROJECT_FILE, Documents, VersionError, migrated
 from .moments import Moments, hash_of
 from .names import type_name_problem
 from .problems import FilesError, Problem, of_document, reason
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, ProjectRecord
+from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
 from .text import TextError, parsed
 
 R = TypeVar("R", bound=Record)
@@ -157,7 +156,7 @@ class _Loading:
         return record
 
     def _compare_id(self, path: str, record: Record) -> None:
-        where = "automaton" if isinstance(record, ExamplesRecord) else "id"
+        where = "automaton" if isinstance(record, ExamplesRecord | LayoutRecord) else "id"
         found = getattr(record, where, None)
         if found is None or found == id_in(path):
             return
@@ -201,7 +200,7 @@ class _Loading:
 def _misplaced(path: str) -> str:
     """Why no document may lie at *path*; empty if it may."""
     parts = path.split("/")
-    if parts[0] not in {LIBRARIES, EXAMPLES}:
+    if parts[0] not in BY_TYPE:
         return ""
     if len(parts) == 2:
         return f"it belongs into the folder of a node type: {parts[0]}/TYPE/{parts[1]}"
@@ -236,6 +235,7 @@ def _assembled(records: Records, order: list[str], moments: Moments) -> Project:
         libraries=_libraries(_of(records, AutomatonRecord)),
         examples=_examples(_of(records, ExamplesRecord)),
         moments=moments,
+        layouts=_layouts(_of(records, LayoutRecord)),
         demonstrations=tuple(demonstration_value(demonstrations[path]) for path in order),
     )
 
@@ -252,4 +252,12 @@ def _examples(records: Mapping[str, ExamplesRecord]) -> dict[str, dict[str, tupl
     for path, record in records.items():
         if record.examples:
             by_type.setdefault(type_in(path), {})[record.automaton] = examples_value(record)
+    return by_type
+
+
+def _layouts(records: Mapping[str, LayoutRecord]) -> dict[str, dict[str, Positions]]:
+    by_type: dict[str, dict[str, Positions]] = {}
+    for path, record in records.items():
+        if record.states:
+            by_type.setdefault(type_in(path), {})[record.automaton] = layout_value(record)
     return by_type

@@ -13,15 +13,17 @@ from ..examples import Example
 from ..project import Project
 from .atomic import WriteError, change_files, clear_unfinished, locked
 from .convert import Document, automaton_document
-from .convert_project import demonstration_document, examples_document, project_document
+from .convert_project import demonstration_document, examples_document, layout_document, project_document
 from .layout import (
     EXAMPLES,
+    LAYOUTS,
     LIBRARIES,
     automaton_file,
     demonstration_file,
     documents,
     examples_file,
     folders,
+    layout_file,
     moment_file,
     moment_files,
     record_of,
@@ -190,6 +192,7 @@ def _files(project: Project) -> dict[str, _File]:
         **_moment_files(project),
         **_automaton_files(project),
         **_examples_files(project),
+        **_layout_files(project),
         **_demonstration_files(project),
         PROJECT_FILE: _File(partial(project_document, project, SCHEMA_VERSION)),
     }
@@ -223,6 +226,15 @@ def _examples_files(project: Project) -> dict[str, _File]:
     }
 
 
+def _layout_files(project: Project) -> dict[str, _File]:
+    return {
+        layout_file(type_name, automaton_id): _File(partial(layout_document, automaton_id, layout), layout)
+        for type_name, by_id in project.layouts.items()
+        for automaton_id, layout in by_id.items()
+        if layout
+    }
+
+
 def _demonstration_files(project: Project) -> dict[str, _File]:
     return {
         demonstration_file(demonstration.id): _File(partial(demonstration_document, demonstration))
@@ -241,7 +253,12 @@ def _example_sets(project: Project) -> Iterator[tuple[str, str, tuple[Example, .
 
 def _wrong_names(project: Project) -> Iterator[Problem]:
     """Names that would lead to wrong files."""
-    for top, names in ((LIBRARIES, project.libraries), (EXAMPLES, project.examples)):
+    tops: dict[str, Iterable[str]] = {
+        LIBRARIES: project.libraries,
+        EXAMPLES: project.examples,
+        LAYOUTS: project.layouts,
+    }
+    for top, names in tops.items():
         for name in names:
             if problem := type_name_problem(name):
                 yield Problem(f"{top}/{name}", "", f"a node type cannot be called {name!r}: {problem}")

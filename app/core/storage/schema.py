@@ -184,6 +184,15 @@ class PruneRecord(Record):
     forbidden: list[str]
 
 
+class CutRecord(Record):
+    """A test of a learned tree whose numbers the user has moved."""
+
+    id: Name
+    source: str
+    guard: GuardRecord = []
+    test: Annotated[AtMostRecord | EqualsRecord | InArcRecord, Field(discriminator="kind")]
+
+
 class SettingsRecord(Record):
     """How an automaton learns and samples."""
 
@@ -215,6 +224,7 @@ class AutomatonRecord(Record):
     learned: dict[str, ModelRecord] = {}
     learned_from: str = ""
     prunes: list[PruneRecord] = []
+    cuts: list[CutRecord] = []
     settings: SettingsRecord = SettingsRecord()
     note: str = ""
 
@@ -226,6 +236,7 @@ class AutomatonRecord(Record):
             ("features", self.features),
             ("rules", self.rules),
             ("prunes", self.prunes),
+            ("cuts", self.cuts),
         ):
             complaints += doubles(name, [item.id for item in items])
         refuse([*complaints, *_start_is_first(self.states)])
@@ -274,6 +285,20 @@ class ExamplesRecord(Record):
     def _ids_are_unique(self) -> Self:
         refuse(doubles("examples", [example.id for example in self.examples]))
         return self
+
+
+class PlaceRecord(Record):
+    """Where the user put a state: its center, in pixels, y downward."""
+
+    x: float
+    y: float
+
+
+class LayoutRecord(Record):
+    """``layouts/TYPE/ID.json``: where the user put states of one automaton when it is drawn."""
+
+    automaton: FileName
+    states: dict[str, PlaceRecord]
 
 
 class PickRecord(Record):

@@ -166,7 +166,7 @@ def _expanded(value: Any, depth: int) -> str:
 
 
 def _member(key: str, value: Any, depth: int) -> str:
-    if key in ROWS and depth == 0 and value:
+    if key in ROWS and depth == 0 and value and isinstance(value, list):
         rows = [" " * STEP * 2 + _ENCODER.encode(row) for row in value]
         return "[\n" + ",\n".join(rows) + "\n" + " " * STEP + "]"
     if depth == 0 and _holds_containers(value):

@@ -62,12 +62,30 @@ def build(
         UncompilableError: numba cannot compile one of the scenario's functions.
     """
     source = kernel_source(scenario, layout)
-    name = "kernel_" + _digest(scenario, layout, source)
+    name = _name(scenario, layout, source)
     with _LOCK:
         if name not in _KERNELS:
             path = writable(folder or cache_folder()) / f"{name}.py"
             _KERNELS[name] = _compiled(scenario, layout, source, path, notice)
         return _KERNELS[name]
+
+
+def path_in(folder: Path, scenario: Scenario, layout: Layout) -> Path:
+    """Where *folder* keeps the kernel of a scenario."""
+    return folder / f"{_name(scenario, layout, kernel_source(scenario, layout))}.py"
+
+
+def is_kept(path: Path) -> bool:
+    """Whether a kernel was compiled, or refused, before."""
+    return _refused(path).exists() or _is_compiled(path)
+
+
+def _refused(path: Path) -> Path:
+    return path.with_suffix(".refused")  # numba takes seconds to find out: once is enough
+
+
+def _is_compiled(path: Path) -> bool:
+    return bool(list(path.parent.glob(f"__pycache__/{path.stem}.*.nbi")))
 
 
 def cache_folder() -> Path:
@@ -85,22 +103,25 @@ def writable(folder: Path) -> Path:
         return Path(mkdtemp(prefix="understudy-kernels-"))
 
 
-def _digest(scenario: Scenario, layout: Layout, source: str) -> str:
+def _name(scenario: Scenario, layout: Layout, source: str) -> str:
     functions = {**scenario_functions(scenario), "run": tick.run}
     for module in (columns, twins, linking):
         source += Path(str(module.__file__)).read_text(encoding="utf-8")
     source += repr((world_places(layout), tables_places(), runs_places()))
     versions = f"{numba.__version__} {np.__version__} {sys.version}"
-    return hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
+    return (
+        "kernel_"
+        + hashlib.sha256((linking.fingerprint(functions) + source + versions).encode()).hexdigest()[:24]
+    )
 
 
 def _compiled(scenario: Scenario, layout: Layout, source: str, path: Path, notice: Notice | None) -> Kernel:
-    refused = path.with_suffix(".refused")  # numba takes seconds to find out: once is enough
+    refused = _refused(path)
     if refused.exists():
         raise UncompilableError(refused.read_text(encoding="utf-8"))
     module = _loaded(scenario, layout, _written(path, source))
     try:
-        if not list(path.parent.glob(f"__pycache__/{path.stem}.*.nbi")):
+        if not _is_compiled(path):
             if notice is not None:
                 notice(f"compiling the kernel of {scenario.name!r}, once")
             _compile_functions(scenario, layout, module)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +15,13 @@ from .records import TABLE_RECORDS, addresses, laid_out, packed, records
 from .source import MEMORY, SIZES, layout_of
 from .state import RUN_RECORDS
 from .tick import AFTER_MOVING, BEFORE_MOVING, WHOLE
+
+
+class FlatCopy(NamedTuple):
+    """A world and what its nodes did at one moment."""
+
+    world: Mapping[str, Column]
+    runs: Mapping[str, Column]
 
 
 class FlatWorld:
@@ -80,6 +88,23 @@ class FlatWorld:
         assert self._program is not None
         return self._program
 
+    def run_without(self, still: Column, ticks: int) -> bool:
+        """As `run` does, while the nodes in the rows *still* do not tick and their subsidiaries have no controller.
+
+        None of them stands below one that ticks.
+        """
+        if not len(still):
+            return self.run(ticks)
+        depth, kept = self.runs["depth"], self.runs["depth"][still]
+        depth[still] = 0  # who runs nothing does nothing
+        parents = self._tables["parent"]  # a copy of this world's own
+        before = parents.copy()
+        parents[np.isin(parents, still)] = -1
+        try:
+            return self.run(ticks)
+        finally:
+            depth[still], parents[:] = kept, before
+
     def run(self, ticks: int) -> bool:
         """Pass ticks; False if a function of the scenario answered with what it cannot mean."""
         once = self.runs["once"]
@@ -109,19 +134,36 @@ class FlatWorld:
         for name in self.world:
             getattr(world, name)[:] = self.numbers(name)
 
+    def plain(self) -> World:
+        """The world as plain Python reads it, without a copy: what is asked for is what the columns say at that moment."""
+        views = {name: column.data[: self._lengths[name]] for name, column in self.world.items()}
+        return self.shape._replace(**views)
+
+    def arrays(self) -> dict[str, Column]:
+        """Copies of all columns, read-only."""
+        copies = {name: column[: self._lengths[name]].copy() for name, column in self.world.items()}
+        for column in copies.values():
+            column.flags.writeable = False
+        return copies
+
     def numbers(self, name: str) -> list[float] | list[int]:
         """A column of the world as plain numbers."""
         numbers: list[float] | list[int] = self.world[name][: self._lengths[name]].tolist()
         return numbers
 
-    def copy(self) -> list[Column]:
+    def copy(self) -> FlatCopy:
         """A copy of everything."""
-        return [column.copy() for column in (*self.world.values(), *self.runs.values())]
+        return FlatCopy(*({n: column.copy() for n, column in of.items()} for of in (self.world, self.runs)))
 
-    def paste(self, copy: list[Column]) -> None:
+    def now(self) -> FlatCopy:
+        """Everything as it is, and will not be any more after the next tick."""
+        return FlatCopy(self.world, self.runs)
+
+    def paste(self, copy: FlatCopy) -> None:
         """Go back to a copy."""
-        for column, before in zip((*self.world.values(), *self.runs.values()), copy, strict=True):
-            column[:] = before
+        for mine, before in ((self.world, copy.world), (self.runs, copy.runs)):
+            for name, column in mine.items():
+                column[:] = before[name]
 
 
 def _block(numbers: Sequence[float | int]) -> Block:

@@ -1,6 +1,6 @@
 """What the nodes do as flat columns, and the way to and from `app.core.actor.Actor`."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from ...core.actor import Actor, Argument, Arguments, Run
 from ...core.automaton import START, Automaton
@@ -204,22 +204,34 @@ _SAVED = (
 
 def put_back(columns: Mapping[str, Column], program: Program, machine: Machine, now: int) -> None:
     """Let the nodes of *machine* do what the columns say."""
-    reader = _Reader(columns, program)
+    reader = _Reader({name: columns[name].tolist() for name in _SAVED}, program)
     machine.now = now
     for node, actor in enumerate(machine.actors.values()):
         reader.node(node, actor)
 
 
+def put_back_some(
+    columns: Mapping[str, Column], program: Program, machine: Machine, now: int, rows: Mapping[str, int]
+) -> None:
+    """Let some nodes, given by id with their rows, do what the columns say; the others are left as they are."""
+    reader = _Reader({name: columns[name].data for name in _SAVED}, program)
+    machine.now = now
+    for node_id, row in rows.items():
+        reader.node(row, machine.actors[node_id])
+
+
 class _Reader:
-    def __init__(self, columns: Mapping[str, Column], program: Program) -> None:
+    def __init__(self, columns: Mapping[str, Sequence[int]], program: Program) -> None:
+        """Read from lists, or where few entries are looked at, from views of the columns: both give plain numbers."""
         self._program = program
         self._sizes = program.sizes
-        self._columns: dict[str, list[int]] = {name: columns[name].tolist() for name in _SAVED}
+        self._columns = columns
 
     def node(self, node: int, actor: Actor) -> None:
         columns = self._columns
         actor.flags = self._flags(columns["node_flags"][node])
         actor.left = bool(columns["left"][node])
+        actor.direction = None
         if (row := columns["direction"][node]) >= 0:
             basic = self._program.basics[row][1]
             actor.direction = (basic.name, self._arguments("direction_", node, basic.parameters))
@@ -240,7 +252,7 @@ class _Reader:
         if what >= 0:
             behavior = self._program.automata[what].automaton
             at = row * self._sizes.key_words
-            words = columns["keys"][at : at + self._sizes.key_words]
+            words = list(columns["keys"][at : at + self._sizes.key_words])
             leaf = columns["leaf"][row]
             key = self._program.key(state, words if leaf == NO_LEAF else [LEARNED, 0, leaf])
         else:

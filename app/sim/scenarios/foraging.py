@@ -6,7 +6,7 @@ from math import atan2, cos, hypot, pi, sin, sqrt, tau
 from ...core.chance import uniform
 from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
 from ..geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
-from ..scenario import Bodies, Column, Kind, Per, Scenario, World, quantity
+from ..scenario import Bodies, Column, Kind, Look, Per, Scenario, World, quantity
 
 PLACEMENTS = ("anywhere", "ring")
 RELEASES = ("anyone", "full")
@@ -84,6 +84,17 @@ scenario = Scenario(
         contact="contact",
         reserve="reserve",
     ),
+    look=Look(
+        width="width",
+        height="height",
+        diameters={"agent": "agent_diameter", "box": "box_diameter"},
+        ranges={"agent": ("sight", "grab_range"), "deposit": ("deposit_range",)},
+        held="held",
+        loads="box",
+        got="pulling",
+        needed="needed",
+        places=("deposit",),
+    ),
 )
 
 
@@ -113,7 +124,14 @@ def impossible(p: Parameters) -> str:
     ("target",),
     default=1000.0,
     unit="units",
-    phrases=Phrases(above="farther than {value} from {target}", below="within {value} of {target}"),
+    phrases=Phrases(
+        above="farther than {value} from {target}",
+        below="within {value} of {target}",
+        between="between {low} and {high} from {target}",
+        at="{value} from {target}",
+        some="there is a {target}",
+        none="there is no {target}",
+    ),
 )
 def distance_to(world: World, me: int, target: int) -> float:
     """How far the target is, center to center; 1000 if there is none."""
@@ -126,7 +144,11 @@ def distance_to(world: World, me: int, target: int) -> float:
     ("target",),
     default=0.0,
     unit="radians",
-    phrases=Phrases(true="{target} lies between {start} and {end}", false="{target} lies elsewhere"),
+    phrases=Phrases(
+        true="{target} lies between {start} and {end}",
+        false="{target} does not lie between {start} and {end}",
+        at="{target} lies at {value}",
+    ),
 )
 def direction_to(world: World, me: int, target: int) -> float:
     """Angle to the target in the agent's frame, in [-pi, pi), positive to the left; 0 (ahead) if there is none."""
@@ -135,7 +157,11 @@ def direction_to(world: World, me: int, target: int) -> float:
     return wrapped(atan2(dy, dx) - world.heading[me])
 
 
-@scenario.feature("ICanSeeABox", FeatureKind.BOOLEAN, phrases=Phrases(true="sees a box", false="sees no box"))
+@scenario.feature(
+    "ICanSeeABox",
+    FeatureKind.BOOLEAN,
+    phrases=Phrases(true="sees a box", false="sees no box", detail="that still needs pullers"),
+)
 def i_can_see_a_box(world: World, me: int) -> float:
     """Whether a box that still needs pullers is within sight."""
     far = world.params.sight * world.params.sight
@@ -146,7 +172,9 @@ def i_can_see_a_box(world: World, me: int) -> float:
 
 
 @scenario.feature(
-    "IAmAttachedToABox", FeatureKind.BOOLEAN, phrases=Phrases(true="holds a box", false="holds no box")
+    "IAmAttachedToABox",
+    FeatureKind.BOOLEAN,
+    phrases=Phrases(true="is attached to a box", false="is attached to no box"),
 )
 def i_am_attached_to_a_box(world: World, me: int) -> float:
     """Whether the agent is attached to a box."""

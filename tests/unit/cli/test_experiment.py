@@ -8,9 +8,9 @@ import pytest
 
 from app.cli import experiment as verb
 from app.cli import main
-from app.cli.charts import chart_of
-from app.editor.curves import Chart
-from app.editor.figures import FigureError
+from app.editor.drawing.experiment_chart import chart_of
+from app.editor.drawing.curves import Chart
+from app.editor.drawing.figures import FigureError
 from app.engine.experiments.findings import Findings, findings
 from app.engine.experiments.plan import Design, Experiment, Panel
 from app.engine.experiments.runner import carry_out

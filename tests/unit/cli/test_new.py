@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from app.cli import main
-from app.cli.new import first_behavior, fresh_project
 from app.core.check import check
 from app.core.errors import ScenarioError
 from app.core.vocabulary import BasicBehavior, Vocabulary
+from app.engine.fresh import first_behavior, fresh_project
 from app.sim.scenarios import names, shipped
 
 

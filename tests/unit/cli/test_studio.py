@@ -11,13 +11,13 @@ from app.cli.places import display, shipped_project
 from app.cli.studio import rows, story, teach
 from app.core.errors import StorageError
 from app.core.storage import load
-from app.editor.figures import Figure
+from app.editor.drawing.figures import Figure
 from app.engine.runs import Curve, RunResult
 from app.sim.scenarios.foraging import scenario as foraging
 from tests.unit.cli.foraging import ARMS, project, stored, taught
 
 
-@pytest.fixture
+@pytest.fixture(autouse=True)
 def no_display(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
@@ -57,15 +57,48 @@ def test_without_a_display_the_demonstration_runs_and_ends_with_numbers_and_a_pi
     assert figure.title == "Box foraging with 3 agents"
 
 
-def test_with_a_display_it_says_that_the_window_is_still_to_come(
-    monkeypatch: pytest.MonkeyPatch,
-    drawn: list[tuple[Figure, Path]],
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+@pytest.fixture
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[tuple[Path, bool]]:
+    """What the window was opened on, and whether its code is trusted; there is a display."""
+    opened: list[tuple[Path, bool]] = []
+
+    def run(folder: Path, _settings: Path, _state: Path, *, trust: bool) -> int:
+        opened.append((folder, trust))
+        return 0
+
     monkeypatch.setenv("DISPLAY", ":0")
-    main([str(stored(tmp_path / "p", project(ARMS[:1]))), "--ticks", "2"])
-    assert "the studio's window does not exist yet" in capsys.readouterr().err
+    monkeypatch.setattr("app.editor.application.run", run)
+    return opened
+
+
+def test_with_a_display_the_window_opens_on_the_foraging_project(opened: list[tuple[Path, bool]]) -> None:
+    assert main([]) == 0
+    assert opened == [(shipped_project("foraging"), False)]
+
+
+@pytest.mark.parametrize("file", ["", "project.json"])
+def test_a_path_opens_the_window_on_another_project(
+    opened: list[tuple[Path, bool]], tmp_path: Path, file: str
+) -> None:
+    folder = stored(tmp_path / "p", project(ARMS[:1]))
+    assert main([str(folder / file), "--trust"]) == 0
+    assert opened == [(folder, True)]
+
+
+def test_no_window_opens_on_what_is_no_project(
+    opened: list[tuple[Path, bool]], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([str(tmp_path / "nowhere")]) == 2
+    assert "there is no such folder" in capsys.readouterr().err
+    assert opened == []
+
+
+def test_headless_means_no_window_although_there_is_a_display(
+    opened: list[tuple[Path, bool]], drawn: list[tuple[Figure, Path]], tmp_path: Path
+) -> None:
+    assert main([str(stored(tmp_path / "homing", taught())), "--headless", "--ticks", "2"]) == 0
+    assert opened == []
+    assert len(drawn) == 1
 
 
 def test_the_stored_project_stays_as_it_is(drawn: list[tuple[Figure, Path]], tmp_path: Path) -> None:

@@ -80,7 +80,12 @@ def test_trimming_keeps_what_runs_and_drops_the_rest() -> None:
     )
     left = trimmed(whole)
     assert [s.id for s in left.states] == [START, "b"]
-    assert left.rules == (Rule("r1", START, (), "b", 0.5), Rule("r2", "b", (), START))
+    # A choice that is held compares which rules were met, those of probability 0 as well.
+    assert left.rules == (
+        Rule("r1", START, (), "b", 0.5),
+        Rule("r2", "b", (), START),
+        Rule("r4", "b", (), "b", 0.0),
+    )
     assert (set(left.learned), [prune.id for prune in left.prunes]) == ({"b"}, ["q"])
     assert (left.features, left.note, left.learned_from) == ((SEES,), "mine", "those")
 

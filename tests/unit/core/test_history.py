@@ -223,3 +223,14 @@ def test_sentences_show_names_and_not_ids() -> None:
     )
     assert describe(edits.take_back_pick, named, added) == "Take back GrabBox in Go To"
     assert describe(edits.record_pick, named, Recorded(AGENT, "gone", recorded.examples)) == "Pick left"
+
+
+def test_a_step_with_a_mark_is_kept_though_the_project_stays_the_same() -> None:
+    history = begun()
+    before = history.project
+    history.push("Move agent-1", before, mark="moved")
+    assert history.last is not None
+    assert (history.last.text, history.last.mark, history.is_saved) == ("Move agent-1", "moved", True)
+    assert history.undo().mark == "moved"
+    assert history.next is not None
+    assert history.next.mark == "moved"

@@ -28,7 +28,7 @@ from app.core.errors import EditError
 from app.core.project import LevelTable
 from app.engine.commands import Pick, Reset, UndoPick, UseProject
 from app.engine.commands import Test as LearnAndTest
-from app.engine.snapshots import Interrupted, Mode, Picked, Refused, edited
+from app.engine.snapshots import Edit, Interrupted, Mode, Picked, Refused, edited
 from tests.corridor import project, to
 from tests.driver import Driver
 from tests.samples import AGENT, GROUP, SQUAD
@@ -240,7 +240,7 @@ class Slow(Driver):
 
     def hear(self) -> None:
         for event in self.session.events():
-            if not isinstance(event, Refused | Interrupted):
+            if isinstance(event, Edit):
                 self.applied += 1
                 with suppress(EditError):
                     self.project = edited(self.project, event)

@@ -1,10 +1,12 @@
 """Remembering who left which state costs little: a moment a tick, and never more of them than fit."""
 
+from collections.abc import Sequence
+
 import pytest
 
 from app.core.automaton import START
 from app.core.examples import Moment
-from app.engine.departures import MOST_NODES, Departure, Departures
+from app.engine.departures import MOST_NODES, MOST_UNASKED, Departure, Departures
 
 
 class Camera:
@@ -74,3 +76,54 @@ def test_moments_never_describe_more_nodes_than_fit(nodes: int) -> None:
     kept = [tick for tick in range(1000) if departures.moment(at(tick)) is not None]
     assert len(kept) * nodes <= max(MOST_NODES, nodes)
     assert kept[-1] == 999  # the newest is always there
+
+
+# ------------------------------------------------------------------------------ ticks that are looked back on
+
+
+class Tick:
+    """A compiled tick that has passed; it counts how often it is asked."""
+
+    def __init__(self, tick: int, *nodes: str) -> None:
+        self.tick = tick
+        self.nodes: Sequence[str] = nodes
+        self.asked: list[str] = []
+
+    def departure(self, node_id: str) -> Departure:
+        self.asked.append(node_id)
+        return at(self.tick)
+
+    def moment(self) -> Moment:
+        self.asked.append("moment")
+        return Moment("corridor", {}, "alone", {"tick": (self.tick,)})
+
+
+def test_what_nobody_asks_for_is_not_found_out() -> None:
+    departures, tick = Departures(Camera(), 50), Tick(7, "agent-1", "agent-2")
+    departures.note_unasked(tick)
+    assert tick.asked == []
+    for _ in range(2):
+        left = departures.last("agent-2")
+        assert left == at(7)
+        assert departures.moment(left) == Moment("corridor", {}, "alone", {"tick": (7,)})
+    assert tick.asked == ["agent-2", "moment"]
+
+
+def test_what_nodes_saw_outlives_the_ticks_that_are_too_many() -> None:
+    nodes = MOST_UNASKED  # so many that a single tick fits
+    departures = Departures(Camera(), nodes)
+    first, second = Tick(1, "agent-1", "agent-2"), Tick(2, "agent-2")
+    departures.note_unasked(first)
+    departures.note_unasked(second)
+    assert first.asked == ["agent-1"]  # agent-2 has left again since
+    assert departures.last("agent-1") == at(1)
+    assert departures.last("agent-2") == at(2)
+
+
+def test_the_newest_departure_counts_whichever_way_it_was_noted() -> None:
+    departures = Departures(Camera(), 50)
+    departures.note_unasked(Tick(1, "agent-1"))
+    departures.note("agent-1", at(2))
+    assert departures.last("agent-1") == at(2)
+    departures.note_unasked(Tick(3, "agent-1"))
+    assert departures.last("agent-1") == at(3)

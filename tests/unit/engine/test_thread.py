@@ -1,13 +1,13 @@
 """The background thread: asleep when paused, paced, answering while it runs, and never dead with somebody waiting."""
 
 from collections.abc import Callable, Iterator
-from threading import Condition, current_thread
+from threading import Condition, Event, current_thread
 from threading import enumerate as threads
 from time import monotonic
 
 import pytest
 
-from app.core.errors import SessionError, UnderstudyError
+from app.core.errors import SessionError
 from app.engine.commands import (
     Command,
     MoveEntity,
@@ -55,6 +55,12 @@ def answered(thread: EngineThread, command: Command) -> Snapshot:
     """The first snapshot after a command was dealt with."""
     ticket = thread.send(command)
     return thread.wait_for(lambda snapshot: snapshot.acknowledged >= ticket)
+
+
+def newest(thread: EngineThread) -> Snapshot:
+    """The newest snapshot of a thread that has begun."""
+    assert thread.newest is not None
+    return thread.newest
 
 
 class Alarm(Condition):
@@ -105,7 +111,7 @@ def test_reading_snapshots_and_events_wakes_nobody(start: Make) -> None:
         before = len(alarm.naps)
     for _ in range(100):
         thread.events()
-        assert thread.newest.tick == 0
+        assert newest(thread).tick == 0
     with alarm:
         assert len(alarm.naps) <= before + 1
 
@@ -220,8 +226,10 @@ def test_what_is_refused_is_told_with_its_ticket(start: Make) -> None:
 
 
 def test_waiting_for_what_does_not_come_ends(start: Make) -> None:
+    thread = start()
+    answered(thread, Pause())
     with pytest.raises(TimeoutError, match=r"no such snapshot in 0\.01 s; the newest is at tick 0"):
-        start().wait_for(lambda s: s.tick > 0, timeout=0.01)
+        thread.wait_for(lambda s: s.tick > 0, timeout=0.01)
 
 
 # -------------------------------------------------------------------------------------------------------- failing
@@ -277,8 +285,8 @@ def test_what_nobody_foresaw_is_told_as_a_failure_and_who_waits_hears_of_it(
     thread.send(Play(None))
     with pytest.raises(SessionError, match="the engine stands still: "):
         thread.wait_for(lambda s: s.tick >= 100_000)
-    assert thread.newest.failure == why
-    assert thread.newest.speed == 0.0
+    assert newest(thread).failure == why
+    assert newest(thread).speed == 0.0
     told = [event.message for event in thread.events() if isinstance(event, Refused)]
     assert told == [f"{why}. The world stands still; reset it to go on."]
 
@@ -324,12 +332,61 @@ class Failing(Session):
         super().__init__(*args, **kwargs)  # type: ignore[arg-type]
 
 
-def test_a_session_that_cannot_be_made_is_not_begun() -> None:
-    def make(nudge: Callable[[], None]) -> Session:
-        return Session(project(), corridor, "desert", settings=UNCOMPILED)
+class Nowhere(Session):
+    """A session that cannot be made."""
 
-    with pytest.raises(UnderstudyError, match="no arm 'desert'"):
-        EngineThread(make)
+    def __init__(self, *_args: object, **_kwargs: object) -> None:
+        super().__init__(project(), corridor, "desert", settings=UNCOMPILED)
+
+
+class Surprised(Session):
+    """A session that nobody expected not to be made."""
+
+    def __init__(self, *_args: object, **_kwargs: object) -> None:
+        raise KeyError("nobody foresaw this")
+
+
+@pytest.mark.parametrize(
+    ("kind", "why"),
+    [(Nowhere, "there is no arm 'desert'"), (Surprised, "KeyError: 'nobody foresaw this'")],
+)
+def test_a_session_that_cannot_be_made_is_told_and_who_waits_hears_of_it(
+    start: Make, kind: type[Session], why: str
+) -> None:
+    thread = start(kind)
+    with pytest.raises(SessionError, match=f"the engine could not begin: {why}"):
+        thread.wait_for(lambda s: s.tick >= 0)
+    assert thread.newest is None
+    assert thread.broken.startswith(why)
+    assert thread.events() == [Refused(0, thread.broken)]
+
+
+def test_without_a_session_every_command_is_refused(start: Make) -> None:
+    thread = start(Nowhere)
+    tickets = [thread.send(Pause()), thread.send(Play())]
+    thread.close()
+    events = thread.events()
+    assert [event.ticket for event in events if isinstance(event, Refused)] == [0, *tickets]
+    assert all("no arm 'desert'" in event.message for event in events if isinstance(event, Refused))
+
+
+def test_nobody_has_to_wait_until_the_session_has_begun() -> None:
+    gate = Event()
+
+    def make(nudge: Callable[[], None]) -> Session:
+        gate.wait()
+        return Session(project(), corridor, "alone", settings=UNCOMPILED)
+
+    thread = EngineThread(make)
+    try:
+        assert (thread.newest, thread.rate, thread.events()) == (None, 0.0, [])
+        ticket = thread.send(Step(2))
+        with pytest.raises(TimeoutError, match="there is none yet"):
+            thread.wait_for(lambda s: s.tick >= 0, timeout=0.01)
+    finally:
+        gate.set()
+    assert thread.wait_for(lambda s: s.tick == 2).acknowledged == ticket
+    thread.close()
 
 
 # -------------------------------------------------------------------------------------------------------- closing
@@ -345,6 +402,19 @@ def test_closing_ends_everything(start: Make) -> None:
     thread.close()
     assert not [t for t in threads() if t.name.startswith(("engine", "learner"))]
     thread.close()
+
+
+def test_nobody_has_to_wait_for_a_thread_that_is_left(start: Make) -> None:
+    thread = start()
+    thread.send(Teach("agent", "Shuttle", ("agent-1",)))
+    thread.send(Pick("agent-1", "up"))
+    thread.send(LearnAndTest())
+    thread.send(Play(None))
+    thread.leave()
+    with pytest.raises(SessionError, match="the engine is closed"):
+        thread.send(Pause())
+    thread._thread.join(10.0)
+    assert not [t for t in threads() if t.name.startswith(("engine", "learner"))]
 
 
 def test_closing_while_it_learns_ends_everything(start: Make) -> None:

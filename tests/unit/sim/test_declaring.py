@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.core.errors import ScenarioError
-from app.sim.scenario import Column, FeatureKind, Kind, Per, Scenario, World, quantity
+from app.sim.scenario import Column, FeatureKind, Kind, Per, Phrases, Scenario, World, quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +124,14 @@ def test_a_check_with_other_arguments() -> None:
             "feature 'F' is categorical with the categories ",
         ),
         ({"kind": "boolean", "categories": ("no", "yes")}, "feature 'F' is boolean with the categories "),
+        (
+            {"kind": "continuous", "phrases": Phrases(above="beyond {valeu}")},
+            "phrase 'above' of feature 'F' has no words for {valeu}; it has for: {value}",
+        ),
+        (
+            {"kind": "boolean", "phrases": Phrases(detail="of {target}")},
+            "phrase 'detail' of feature 'F' has no words for {target}; it has for: none",
+        ),
     ],
 )
 def test_features_that_cannot_be(declared: dict[str, Any], message: str) -> None:

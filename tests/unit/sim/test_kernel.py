@@ -10,13 +10,14 @@ from typing import Any
 
 import pytest
 
+from app.core.automaton import START
 from app.core.errors import ScenarioError, UncompilableError
 from app.core.hierarchy import from_table
 from app.core.library import NodeType, Types
 from app.core.machine import Actor
 from app.core.machine_state import freeze, rebase
 from app.sim import geometry
-from app.sim.engine import Control, Start
+from app.sim.engine import Control, Past, Start
 from app.sim.engines import COMPILED, REFERENCE, make_engine
 from app.sim.kernel import KernelEngine, build, linking, twins
 from app.sim.reference import ReferenceEngine
@@ -109,6 +110,65 @@ def test_lessons_and_free_ticks_alternate_as_in_the_reference_engine() -> None:
                 engine.machine.direct(pupil, "Forage")
             engine.step(40, control)
         assert difference(found, wanted) == ""
+
+
+@pytest.mark.parametrize("physics", ["kinematic", "rigid"])
+@pytest.mark.parametrize("name", ["one level", "two levels"])
+def test_who_stands_still_does_nothing_and_directs_nobody(name: str, physics: str) -> None:
+    start = replace(forage(name), physics=physics)
+    nodes, controllers = list(start.hierarchy.walk()), start.hierarchy.controllers()
+    below = {node.id for node in controllers[-1].walk()}
+    lone = start.hierarchy.agents()[0].id
+    found, wanted = KernelEngine(start), ReferenceEngine(start)
+    for still in (
+        {node.id for node in controllers},
+        {node.id for node in nodes if node.id not in below},  # all but one group
+        set[str](),
+        {lone},  # stands below one that ticks
+        {"nobody"},
+        {node.id for node in nodes},
+    ):
+        for engine in (found, wanted):
+            engine.step(40, Control(still=frozenset(still)))
+        assert difference(found, wanted) == ""
+
+
+def test_a_tick_that_has_passed_can_be_looked_back_on() -> None:
+    start, told, pasts = forage("one level"), list[tuple[int, str, str]](), list[Past]()
+    groups = frozenset(node.id for node in start.hierarchy.controllers())
+
+    def leaving(actor: Actor, _next: str) -> None:
+        if actor.run is not None and actor.run.state != START and actor.parent in groups:
+            told.append((wanted.tick, actor.node.id, actor.run.state))
+
+    found, wanted = KernelEngine(start, lambda *_: None), ReferenceEngine(start, leaving)
+    found.departed = pasts.append
+    for engine in (found, wanted):
+        engine.step(2, Control(listen=False))
+        told.clear()
+        engine.step(200, Control(still=groups))
+    assert difference(found, wanted) == ""
+    assert [(past.tick, node) for past in pasts for node, _ in past.left] == [(t, n) for t, n, _ in told]
+    for past in pasts:
+        replayed = list[str]()
+        past.replay(lambda _machine, actor, said=replayed: said.append(actor.node.id))  # type: ignore[misc]
+        assert {node for node, _ in past.left} <= set(replayed)
+    states = {(tick, node): state for tick, node, state in told}
+    for past, node, automaton in [(tick, *left) for tick in pasts for left in tick.left]:
+        machine, senses = past.watch([node])
+        run = machine.actors[node].run
+        assert run is not None
+        assert (run.behavior.name, run.state) == (automaton, states[past.tick, node])
+        assert senses.target("deposit", range(1), 0) == 56
+    assert len(pasts) > 10
+
+
+def test_who_has_a_controller_that_ticks_is_not_said_to_have_left_anything() -> None:
+    pasts = list[Past]()
+    engine = KernelEngine(forage("one level"), lambda *_: None)
+    engine.departed = pasts.append
+    engine.step(150)
+    assert {node.partition("-")[0] for past in pasts for node, _ in past.left} == {"group"}
 
 
 def test_what_is_changed_between_ticks_counts() -> None:

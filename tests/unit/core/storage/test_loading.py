@@ -121,7 +121,7 @@ def test_a_demonstration_that_the_project_does_not_list_comes_last(folder: Path,
 def test_files_of_others_are_not_looked_at(folder: Path, project: Project) -> None:
     for name in (
         "notes.md",
-        "layouts/agent.json",
+        "pictures/agent.json",
         "experiments/e.json",
         "libraries/agent/.hidden.json",
         "scenario.py",

@@ -131,7 +131,7 @@ def test_numbers_come_out_as_floats_where_floats_are_meant(tmp_path: Path, proje
 
 @pytest.mark.parametrize("knows_previous", [True, False])
 def test_files_of_what_is_gone_go_and_no_others(folder: Path, project: Project, knows_previous: bool) -> None:
-    others = ("notes.md", "layouts/agent/mixed.json", "experiments/e.json", "examples/moments/notes.npz")
+    others = ("notes.md", "pictures/agent/mixed.json", "experiments/e.json", "examples/moments/notes.npz")
     for name in others:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text("mine")

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.core.automaton import Automaton, Prune, Refit, Rule, Settings, State
+from app.core.automaton import Automaton, Cut, Prune, Refit, Rule, Settings, State
 from app.core.conditions import AtMost, Equals, InArc
 from app.core.examples import Example
 from app.core.features import FeatureUse, FlagUp, Sense, Statistic
@@ -23,6 +23,7 @@ PAIRS: dict[Any, type[Record]] = {
     State: schema.StateRecord,
     Rule: schema.RuleRecord,
     Prune: schema.PruneRecord,
+    Cut: schema.CutRecord,
     Settings: schema.SettingsRecord,
     Refit: schema.RefitRecord,
     FlatTree: TreeRecord,
@@ -51,7 +52,7 @@ def test_every_field_of_a_value_has_a_place_on_disk(value: Any) -> None:
 
 
 def test_every_part_of_a_project_has_a_place_on_disk() -> None:
-    elsewhere = {"libraries", "examples", "moments"}
+    elsewhere = {"libraries", "examples", "moments", "layouts"}
     stored = set(schema.ProjectRecord.model_fields) - {"schema_version"}
     assert {field.name for field in fields(Project)} == stored | elsewhere
 

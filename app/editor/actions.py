@@ -1,0 +1,133 @@
+"""Everything the user can do, as one table: each row gives menu, shortcut, tip, icon, and when it is possible.
+
+Panels add rows of their own; menus, tool bar and command palette are all made from the same ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QKeySequence
+
+from .icons import icon
+
+if TYPE_CHECKING:
+    from .studio import Studio
+
+#: Menus in the order in which they stand.
+MENUS = ("File", "Edit", "View", "Behavior", "Teach", "Run", "Experiment", "Help")
+
+
+def always(_studio: Studio) -> bool:
+    """Possible at any time."""
+    return True
+
+
+def when_open(studio: Studio) -> bool:
+    """Possible while a project is open."""
+    return studio.is_open
+
+
+@dataclass(frozen=True, slots=True)
+class ActionRow:
+    """One thing that the user can do.
+
+    Attributes:
+        id: Stable, such as ``run.play``: settings keep shortcuts by it.
+        text: What menu and palette say; an ellipsis where a dialog asks for more.
+        menu: One of `MENUS`; empty where it is only on a button or in a context menu. It is in the palette anyway.
+        group: Rows of one menu with another group are parted by a line.
+        keys: Shortcut, such as ``Ctrl+K``.
+        tip: A sentence for tool tips and the status bar.
+        icon: Name in the icon family.
+        enabled: Whether it is possible now.
+        checked: For a switch: whether it is on now.
+        says: For a text that changes: what it says now.
+    """
+
+    id: str
+    text: str
+    menu: str
+    do: Callable[[Studio], object]
+    group: str = ""
+    keys: str = ""
+    tip: str = ""
+    icon: str = ""
+    enabled: Callable[[Studio], bool] = always
+    checked: Callable[[Studio], bool] | None = None
+    says: Callable[[Studio], str] | None = None
+
+
+class Actions(QObject):
+    """The actions of the window by id."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self._rows: dict[str, ActionRow] = {}
+        self._actions: dict[str, QAction] = {}
+
+    @property
+    def rows(self) -> Mapping[str, ActionRow]:
+        """All rows by id, in the order in which they were added."""
+        return self._rows
+
+    def __getitem__(self, action_id: str) -> QAction:
+        """Qt's action of a row."""
+        return self._actions[action_id]
+
+    def add(self, rows: Iterable[ActionRow]) -> None:
+        """Add rows; their ids must be new."""
+        for row in rows:
+            if row.id in self._rows:
+                raise ValueError(f"there are two actions {row.id!r}")
+            self._rows[row.id] = row
+            self._actions[row.id] = self._made(row)
+
+    def keys_of(self, action_id: str) -> str:
+        """The shortcut in force: the user's, or the row's own."""
+        return self._studio.settings.keys.get(action_id, self._rows[action_id].keys)
+
+    def _made(self, row: ActionRow) -> QAction:
+        action = QAction(row.text, self)
+        action.setObjectName(row.id)
+        action.setCheckable(row.checked is not None)
+        action.setShortcut(QKeySequence(self.keys_of(row.id)))
+        action.triggered.connect(lambda: self._run(row))
+        self._dress(row, action)
+        self._refresh(row, action)
+        return action
+
+    def _run(self, row: ActionRow) -> None:
+        row.do(self._studio)
+        self.refresh()
+
+    def dress(self) -> None:
+        """Icons and shortcuts anew, after the theme or the keys changed."""
+        for action_id, row in self._rows.items():
+            self._actions[action_id].setShortcut(QKeySequence(self.keys_of(action_id)))
+            self._dress(row, self._actions[action_id])
+
+    def _dress(self, row: ActionRow, action: QAction) -> None:
+        if row.icon:
+            action.setIcon(icon(row.icon, self._studio.theme))
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        tip = row.tip or row.text.rstrip("…")
+        action.setToolTip(f"{tip} ({keys})" if keys else tip)
+        action.setStatusTip(tip)
+
+    def refresh(self) -> None:
+        """Texts, checks, and what is possible, as things are now."""
+        for action_id, row in self._rows.items():
+            self._refresh(row, self._actions[action_id])
+
+    def _refresh(self, row: ActionRow, action: QAction) -> None:
+        studio = self._studio
+        action.setEnabled(row.enabled(studio))
+        if row.checked is not None:
+            action.setChecked(row.checked(studio))
+        if row.says is not None:
+            action.setText(row.says(studio))

@@ -1,0 +1,93 @@
+"""Starting the studio: the application, its theme, its window, and the project to begin with."""
+
+import logging
+import signal
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
+from PySide6.QtWidgets import QApplication
+
+from ..core.project import Project
+from ..engine.commands import GoTo, Reset
+from ..sim.scenario import Scenario
+from .settings import Settings
+from .studio import Studio
+from .theme import Theme
+from .window.main_window import MainWindow
+
+#: Seconds after which a thread that computes lets the window have its turn; Python's own is five times as long.
+SWITCH = 0.001
+_LEVELS = {
+    QtMsgType.QtDebugMsg: logging.DEBUG,
+    QtMsgType.QtInfoMsg: logging.INFO,
+    QtMsgType.QtWarningMsg: logging.WARNING,
+    QtMsgType.QtCriticalMsg: logging.ERROR,
+    QtMsgType.QtFatalMsg: logging.CRITICAL,
+}
+
+
+def run(project: Path | None, settings: Path, state: Path | None = None, *, trust: bool = False) -> int:
+    """Open the studio, with *project* if one is given, and stay until the user closes it.
+
+    Args:
+        settings, state: See `Settings`.
+        trust: Run the code that the project carries without asking.
+
+    Returns:
+        The exit code.
+    """
+    sys.setswitchinterval(SWITCH)
+    qInstallMessageHandler(_log)
+    application = QApplication.instance() or QApplication(["understudy"])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("understudy")
+    application.setApplicationDisplayName("Understudy")
+    window = make_window(application, Settings(settings, state))
+    runs = RunWindows(application, window)
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    signal.signal(signal.SIGTERM, lambda *_: window.close())
+    window.show()
+    if project is not None:
+        window.files.open(project, trust=trust)
+    window.files.offer_left_over(project)
+    code = application.exec()
+    runs.close()
+    return code
+
+
+class RunWindows:
+    """Windows in which runs of experiments are looked at, as projects of their own."""
+
+    def __init__(self, application: QApplication, window: MainWindow) -> None:
+        self._application = application
+        self._window = window
+        self._open: list[MainWindow] = []
+        window.studio.window_wanted.connect(self.open)
+        window.closed.connect(self.close)
+
+    def open(self, project: Project, scenario: Scenario, arm: str, seed: int, tick: int) -> None:
+        """Show a project in a window of its own, its arm's world at a tick."""
+        window = make_window(self._application, self._window.studio.settings)
+        self._open.append(window)
+        window.closed.connect(lambda: self._open.remove(window) if window in self._open else None)
+        window.show()
+        window.studio.open(project, scenario, None, saved=True, arm=arm)
+        window.studio.bridge.send(Reset(seed))
+        window.studio.bridge.send(GoTo(tick))
+
+    def close(self) -> None:
+        """Close all of them."""
+        for window in list(self._open):
+            window.close()
+        self._open.clear()
+
+
+def make_window(application: QApplication, settings: Settings) -> MainWindow:
+    """A window with a studio of its own, showing the welcome page."""
+    return MainWindow(Studio(Theme(application, settings.theme), settings))
+
+
+def _log(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:
+    """What Qt has to say goes to the log."""
+    logging.getLogger("qt").log(_LEVELS[kind], "%s (%s)", message, context.category)

@@ -1,0 +1,210 @@
+"""The window's end of the engine: commands go in, snapshots come out once a frame, events become undoable edits."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from ..core.edits import describe, record_pick
+from ..core.edits.examples import Recorded
+from ..core.errors import UnderstudyError
+from ..core.project import Project, Value
+from ..engine.commands import Command, UndoMove, UndoPick, UseProject
+from ..engine.compiling import KernelCompiler
+from ..engine.learning import WorkerLearner
+from ..engine.session import Session
+from ..engine.snapshots import (
+    Edit,
+    Event,
+    Interrupted,
+    Moved,
+    Picked,
+    Refused,
+    Relearned,
+    Snapshot,
+    TakenBack,
+    edited,
+)
+from ..engine.thread import EngineThread
+from .document import Document
+
+#: Milliseconds between two looks at the engine.
+FRAME = 16
+
+
+@dataclass(frozen=True, slots=True)
+class PickMark:
+    """A step of the history that a pick recorded."""
+
+    recorded: Recorded
+
+
+@dataclass(frozen=True, slots=True)
+class MoveMark:
+    """A step of the history that moved something in the world."""
+
+    moved: Moved
+
+
+class Bridge(QObject):
+    """Runs a session of the document's project in the background and keeps the two in step.
+
+    Attributes:
+        snapshot: The newest; None until the first has come.
+
+    Signals:
+        snapshot_changed: A newer snapshot is there, at most once a frame.
+        place_changed: The world is another one, with other nodes or parameters.
+        mode_changed: Teaching, testing, learning or running; or playing and pausing.
+        event_came: Anything that happened in the session, after the document has taken it in.
+        told: Something did not go as asked; the message says what and why.
+    """
+
+    snapshot_changed = Signal(object)
+    place_changed = Signal(object)
+    mode_changed = Signal()
+    event_came = Signal(object)
+    told = Signal(str)
+
+    def __init__(self, document: Document, make: Callable[..., EngineThread] = EngineThread) -> None:
+        super().__init__()
+        self._document = document
+        self._make = make
+        self._engine: EngineThread | None = None
+        self.snapshot: Snapshot | None = None
+        self._applied = 0
+        self._taking = False
+        self._taking_back = 0
+        self._picks: list[Recorded] = []  # those that the session can take back, as far as we know
+        document.project_changed.connect(self._project_changed)
+        self._timer = QTimer(self, interval=FRAME, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self.poll)
+
+    # ------------------------------------------------------------------------------------- beginning, ending
+
+    def open(self, arm: str, seed: int = 1, settings: Mapping[str, Value] | None = None) -> None:
+        """Begin a session of the document's project in another engine."""
+        self.close()
+        document, project = self._document, self._document.project
+        self._applied, self._picks, self._taking_back = 0, [], 0
+        self._engine = self._make(
+            lambda wake: Session(
+                project, document.scenario, arm, seed, WorkerLearner(wake), settings, KernelCompiler(wake)
+            )
+        )
+        self._timer.start()
+
+    def close(self) -> None:
+        """End the session and its threads."""
+        self._timer.stop()
+        if self._engine is not None:
+            engine, self._engine = self._engine, None
+            engine.close()
+        self.snapshot = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is a session."""
+        return self._engine is not None
+
+    @property
+    def rate(self) -> float:
+        """Ticks per second, measured; 0 when paused."""
+        return 0.0 if self._engine is None else self._engine.rate
+
+    # ------------------------------------------------------------------------------------------- in and out
+
+    def send(self, command: Command) -> int:
+        """Send a command; its ticket comes back as `Snapshot.acknowledged`. Without a session nothing happens."""
+        return 0 if self._engine is None else self._engine.send(command)
+
+    def poll(self) -> None:
+        """Take in what has happened since the last look."""
+        engine = self._engine
+        if engine is None:
+            return
+        newest = engine.newest  # before the events, so that none is missing that the snapshot shows
+        for event in engine.events():
+            self._take(event)
+        if newest is not None and newest is not self.snapshot:
+            self._show(newest)
+
+    def _show(self, newest: Snapshot) -> None:
+        before, self.snapshot = self.snapshot, newest
+        if before is None or before.place is not newest.place:
+            self.place_changed.emit(newest.place)
+        if before is None or _mode(before) != _mode(newest):
+            self.mode_changed.emit()
+        self.snapshot_changed.emit(newest)
+
+    # ----------------------------------------------------------------------------- the session's edits, and ours
+
+    def _take(self, event: Event) -> None:
+        match event:
+            case Picked() | TakenBack() | Relearned():
+                self._apply(event)
+            case Moved():
+                text = f"Move {event.node_or_kind}"
+                self._document.push(text, self._document.project, mark=MoveMark(event))
+            case Refused(ticket, _) if ticket and ticket == self._taking_back:
+                pass  # the lesson of the pick is over; whoever asked for it undoes the examples
+            case Refused(_, message) | Interrupted(message):
+                self.told.emit(message)
+        self.event_came.emit(event)
+
+    def _apply(self, edit: Edit) -> None:
+        """Do to the document what the session has done to its copy."""
+        self._applied += 1
+        self._taking = True
+        try:
+            self._apply_one(edit)
+        except UnderstudyError as error:
+            self.told.emit(f"what was just taught could not be kept: {error}")
+            self.send(UseProject(self._document.project, self._applied))
+        finally:
+            self._taking = False
+
+    def _apply_one(self, edit: Edit) -> None:
+        document = self._document
+        match edit:
+            case Picked(recorded):
+                text = describe(record_pick, document.project, recorded)
+                document.push(text, edited(document.project, edit), mark=PickMark(recorded))
+                self._picks.append(recorded)
+            case TakenBack(recorded):
+                self._picks = [pick for pick in self._picks if pick != recorded]
+                self._taking_back = 0
+                last = document.history.last
+                if last is not None and last.mark == PickMark(recorded):
+                    document.undo()
+                    self.send(UseProject(document.project, self._applied))
+                else:
+                    document.push("Take back a pick", edited(document.project, edit))
+            case Relearned():
+                document.amend(lambda project: edited(project, edit))
+
+    def can_take_back(self, mark: object) -> bool:
+        """Whether the session can undo the pick of a step, putting the node back as well."""
+        return isinstance(mark, PickMark) and bool(self._picks) and self._picks[-1] == mark.recorded
+
+    def take_back(self) -> int:
+        """Have the session undo its last pick; returns the ticket. Only whoever asked hears of a refusal."""
+        self._taking_back = self.send(UndoPick())
+        return self._taking_back
+
+    def forget_picks(self) -> None:
+        """From now on picks are undone as examples only: their lesson is over."""
+        self._picks, self._taking_back = [], 0
+
+    def undo_move(self, mark: MoveMark) -> None:
+        """Put back what was moved."""
+        self.send(UndoMove(mark.moved.number))
+
+    def _project_changed(self, _before: Project, after: Project) -> None:
+        if not self._taking:
+            self.send(UseProject(after, self._applied))
+
+
+def _mode(snapshot: Snapshot) -> object:
+    lesson = snapshot.lesson
+    return snapshot.mode, snapshot.speed, snapshot.failure, None if lesson is None else lesson.plan

@@ -1,0 +1,155 @@
+"""Painting controllers: a hull around the agents of each, and links to who is under it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from ...sim.doing import NONE
+from ..behavior_colors import BehaviorColors, nth_color
+from ..theme import mixed
+from .arrays import draw_lines, draw_polygon
+from .coloring import ColorBy
+from .frame import Frame
+from .groups import Forest, forest_of, hulls, nodes_at
+
+#: Pixels: how far a hull stays away from its agents, and half the side of a controller's mark.
+AROUND, MARK = 11.0, 5.0
+#: More hulls or links than this are drawn without smooth edges, and hulls without a fill.
+SMOOTH, SMOOTH_LINKS = 80, 600
+
+
+def shown_hulls(frame: Frame) -> NDArray[np.int64]:
+    """Rows of the controllers whose hulls are shown, the highest level first: all, or those selected."""
+    forest = forest_of(frame.scene.place)
+    if frame.options.hulls:
+        return np.arange(forest.controllers)
+    return _selected(frame, forest)
+
+
+def shown_links(frame: Frame) -> NDArray[np.int64]:
+    """Places among the links of those that are shown: all, or those of selected controllers and all below."""
+    forest = forest_of(frame.scene.place)
+    if frame.options.links:
+        return np.arange(len(forest.parent))
+    chosen = np.isin(forest.parent, _selected(frame, forest))
+    return np.flatnonzero(chosen)
+
+
+def _selected(frame: Frame, forest: Forest) -> NDArray[np.int64]:
+    rows = [frame.scene.place.rows.get(node, forest.controllers) for node in frame.nodes]
+    return np.array(sorted(row for row in set(rows) if row < forest.controllers), np.int64)
+
+
+def hull_corners(frame: Frame, which: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The corners of hulls, pixels: controllers x corners. Those of higher levels lie farther out."""
+    forest, agents = forest_of(frame.scene.place), frame.scene.agents
+    x, y = frame.places()
+    outward = AROUND + 4.0 * (forest.level[which] - 1)
+    return hulls(x[:agents], y[:agents], forest, which, np.asarray(outward, np.float64))
+
+
+def link_ends(frame: Frame, which: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Both ends of links, pixels: links x (x, y, x, y), from the controller."""
+    forest = forest_of(frame.scene.place)
+    x, y = frame.camera.to_view(*nodes_at(frame.scene))
+    parent, child = forest.parent[which], forest.child[which]
+    return np.stack((x[parent], y[parent], x[child], y[child]), axis=1)
+
+
+def controller_colors(frame: Frame, by: ColorBy, colors: BehaviorColors) -> list[QColor]:
+    """The color of each controller: of the behavior that it shows, or of its group where groups are told apart."""
+    forest, doing = forest_of(frame.scene.place), frame.scene.doing
+    if by is ColorBy.GROUP:
+        bottom = np.cumsum(forest.level == 1) - 1
+        return [
+            nth_color(int(k)) if level == 1 else QColor(frame.palette.dim)
+            for k, level in zip(bottom, forest.level, strict=True)
+        ]
+    by_ref = [colors.color(ref.type, ref.id) for ref in doing.behaviors]
+    grey = QColor(frame.palette.dim)
+    return [grey if shown == NONE else by_ref[shown] for shown in doing.shown[: doing.controllers].tolist()]
+
+
+def paint_groups(painter: QPainter, frame: Frame, colors: list[QColor]) -> None:
+    """The hulls and links that are to be seen, under everything that moves."""
+    which = shown_hulls(frame)
+    if which.size:
+        _paint_hulls(painter, frame, which, colors)
+    links = shown_links(frame)
+    if links.size:
+        _paint_links(painter, frame, links, colors)
+
+
+def _paint_hulls(painter: QPainter, frame: Frame, which: NDArray[np.int64], colors: list[QColor]) -> None:
+    """Few with a fill, groups before squads where all are shown; many as lines, all of a color at once."""
+    corners = np.stack(hull_corners(frame, which), axis=2)
+    few = len(which) <= SMOOTH
+    if few:
+        lowest = (forest_of(frame.scene.place).level[which] == 1).tolist()
+        for k, row in enumerate(which.tolist()):
+            fill = QColor(colors[row])
+            fill.setAlphaF(0.08 if lowest[k] or not frame.options.hulls else 0.0)
+            painter.setBrush(fill)
+            painter.setPen(QPen(_faint(colors[row], 0.5, frame, few=few), 1.0))
+            draw_polygon(painter, corners[k])
+        return
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    edges = np.concatenate((corners, np.roll(corners, -1, axis=1)), axis=2)
+    for name, places in _by_color(which, colors).items():
+        painter.setPen(QPen(_faint(QColor(name), 0.5, frame, few=few), 1.0))
+        draw_lines(painter, edges[places].reshape(-1, 4))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+
+
+def _by_color(rows: NDArray[np.int64], colors: list[QColor]) -> dict[str, list[int]]:
+    """Places among *rows*, by the name of the color of each row."""
+    names = [color.name() for color in colors]
+    found: dict[str, list[int]] = {}
+    for place, row in enumerate(rows.tolist()):
+        found.setdefault(names[row], []).append(place)
+    return found
+
+
+def _faint(color: QColor, share: float, frame: Frame, *, few: bool) -> QColor:
+    """A color of which so much is visible. Of many lines none shines through: that is ten times faster."""
+    if not few:
+        return mixed(color.name(), frame.palette.canvas, 1.0 - share)
+    faint = QColor(color)
+    faint.setAlphaF(share)
+    return faint
+
+
+def _paint_links(painter: QPainter, frame: Frame, links: NDArray[np.int64], colors: list[QColor]) -> None:
+    ends = link_ends(frame, links)
+    parents = forest_of(frame.scene.place).parent[links]
+    few = len(links) <= SMOOTH_LINKS
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, few)
+    for name, places in _by_color(parents, colors).items():
+        painter.setPen(QPen(_faint(QColor(name), 0.55, frame, few=few), 1.0))
+        draw_lines(painter, ends[places])
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor(frame.palette.canvas), 1.0))
+    shown, first = np.unique(parents, return_index=True)
+    for parent, k in zip(shown.tolist(), first.tolist(), strict=True):
+        painter.setBrush(colors[parent])
+        _paint_mark(painter, QPointF(ends[k, 0], ends[k, 1]))
+
+
+def _paint_mark(painter: QPainter, at: QPointF) -> None:
+    """A controller is a square: nothing else is."""
+    painter.drawRect(QRectF(at.x() - MARK, at.y() - MARK, 2 * MARK, 2 * MARK))
+
+
+def paint_band(painter: QPainter, frame: Frame) -> None:
+    """The rectangle that is being pulled open."""
+    if frame.band is None:
+        return
+    left, top, right, bottom = frame.band
+    fill = QColor(frame.palette.accent)
+    painter.setPen(QPen(fill, 1.0, Qt.PenStyle.DashLine))
+    fill.setAlphaF(0.12)
+    painter.setBrush(fill)
+    painter.drawRect(QRectF(QPointF(left, top), QPointF(right, bottom)))

@@ -1,0 +1,213 @@
+"""The user's hand on the canvas: carries out what gestures ask for, on the selection, the camera, and the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from ...engine.commands import MoveEntity
+from ...engine.snapshots import Snapshot
+from .frame import Frame, Preview
+from .gestures import Button, Choosing, Gesture, Pointer, Resting
+from .hits import agents_in, controller_at, entity_at
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+    from .looking import Looking
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Somebody waits for an entity to be chosen.
+
+    Attributes:
+        prompt: What the user is asked.
+        accept: Whether an entity can be chosen.
+        targets: The entities that are marked as such.
+    """
+
+    prompt: str
+    accept: Callable[[int], bool]
+    targets: Callable[[], frozenset[int]]
+
+
+class Hand(QObject):
+    """What is pressed, pulled open, dragged or chosen at the moment. It is a `Stage`.
+
+    Attributes:
+        gesture: The state that the mouse is in.
+        band: Left, top, right and bottom of the rectangle that is being pulled open.
+        dragged: What is being dragged, or was just let go, and where to.
+        choice: What is being asked for.
+
+    Signals:
+        changed: One of them is another.
+        chosen: An entity was chosen.
+        gave_up: Choosing was canceled.
+        menu_wanted: At these pixels.
+    """
+
+    changed = Signal()
+    chosen = Signal(int)
+    gave_up = Signal()
+    menu_wanted = Signal(float, float)
+
+    def __init__(self, studio: Studio, looking: Looking, frame: Callable[[], Frame | None]) -> None:
+        super().__init__()
+        self._studio = studio
+        self._looking = looking
+        self._frame = frame
+        self._ticket = 0
+        self.is_live = True
+        self.gesture: Gesture = Resting()
+        self.band: tuple[float, float, float, float] | None = None
+        self.dragged: Preview | None = None
+        self.choice: Choice | None = None
+
+    # ---------------------------------------------------------------------------------------- the mouse
+
+    def press(self, button: Button, at: Pointer) -> None:
+        """A button goes down."""
+        self._go(self.gesture.press(self, button, at))
+
+    def move(self, at: Pointer) -> None:
+        """The mouse goes elsewhere."""
+        self._go(self.gesture.move(self, at))
+
+    def release(self, at: Pointer) -> None:
+        """The button goes up."""
+        self._go(self.gesture.release(self, at))
+
+    def cancel(self) -> None:
+        """Escape."""
+        self._go(self.gesture.cancel(self))
+
+    def let_go(self) -> None:
+        """The world is another one: nothing of it can be held any more."""
+        self.drop_band()
+        self.drop_preview()
+        self._go(Choosing() if self.choice is not None else Resting())
+
+    def ask(self, choice: Choice) -> None:
+        """Ask for an entity."""
+        self.choice = choice
+        self._go(Choosing())
+
+    def stop_asking(self) -> None:
+        """No one waits for an entity any more."""
+        self.choice = None
+        self._go(Resting())
+
+    def settle(self, snapshot: Snapshot) -> None:
+        """What was let go is where the world has it, once the world knows."""
+        if self._ticket and snapshot.acknowledged >= self._ticket:
+            self._ticket, self.dragged = 0, None
+
+    def _go(self, gesture: Gesture) -> None:
+        self.gesture = gesture
+        self.changed.emit()
+
+    # --------------------------------------------------------------------------------- what gestures ask for
+
+    def entity_at(self, at: Pointer) -> int:
+        """The entity there, -1 if there is none."""
+        frame = self._frame()
+        return -1 if frame is None else entity_at(frame, at.x, at.y)
+
+    def cannot_drag(self) -> str:
+        """Why nothing can be dragged now; empty if it can."""
+        snapshot = self._studio.snapshot
+        if not self.is_live:
+            return "this is a stored moment: go back to now before you move something"
+        if snapshot is None or snapshot.failure:
+            return "the world stands still after a failure: reset it before you move something"
+        if snapshot.speed != 0.0:
+            return "pause before you move something: it can be dragged only while time stands still"
+        return ""
+
+    def click(self, at: Pointer) -> None:
+        """Select the agent there, or the controller whose link or hull is there; nothing there selects none."""
+        frame = self._frame()
+        if frame is None:
+            return
+        entity, selection = self.entity_at(at), self._studio.selection
+        node = frame.scene.node(entity) if entity >= 0 else controller_at(frame, at.x, at.y)
+        if node and not self._lives(node):
+            return
+        if not node:
+            if not at.adds and entity < 0:
+                selection.select_nodes(())
+        elif at.adds:
+            selection.toggle_node(node)
+        else:
+            selection.select_nodes((node,))
+
+    def choose(self, at: Pointer) -> bool:
+        """Choose what is there, for who has asked; whether it was one of those that can be chosen."""
+        entity, choice = self.entity_at(at), self.choice
+        if entity < 0 or choice is None:
+            return choice is None
+        if not choice.accept(entity):
+            self.say(f"this cannot be chosen; {choice.prompt}")
+            return False
+        self.choice = None
+        self.chosen.emit(entity)
+        return self.choice is None  # who has asked may ask again at once
+
+    def give_up_choosing(self) -> None:
+        """Nothing is chosen."""
+        self.choice = None
+        self.gave_up.emit()
+
+    def menu(self, at: Pointer) -> None:
+        """Show what can be done there."""
+        self.menu_wanted.emit(at.x, at.y)
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Shift the view by pixels."""
+        self._looking.pan(dx, dy)
+
+    def show_band(self, first: Pointer, last: Pointer) -> None:
+        """Show a rectangle between two corners."""
+        self.band = min(first.x, last.x), min(first.y, last.y), max(first.x, last.x), max(first.y, last.y)
+
+    def take_band(self, first: Pointer, last: Pointer) -> None:
+        """Select the agents in it; it is not shown any more."""
+        self.show_band(first, last)
+        frame, band, selection = self._frame(), self.band, self._studio.selection
+        self.band = None
+        if frame is None or band is None:
+            return
+        inside = tuple(node for node in agents_in(frame, *band) if self._lives(node))
+        adds = first.adds or last.adds
+        selection.select_nodes((*selection.nodes, *inside) if adds else inside)
+
+    def drop_band(self) -> None:
+        """It is not shown any more."""
+        self.band = None
+
+    def preview(self, entity: int, at: Pointer) -> None:
+        """Show the entity there."""
+        self.dragged = Preview(entity, *self._looking.camera.to_world(at.x, at.y))
+
+    def put(self, entity: int, at: Pointer) -> None:
+        """Put the entity there for good; until the world has it there, it is shown there."""
+        x, y = self._looking.camera.to_world(at.x, at.y)
+        self.dragged = Preview(entity, x, y)
+        self._ticket = self._studio.bridge.send(MoveEntity(entity, x, y))
+
+    def drop_preview(self) -> None:
+        """Show the entity where it is."""
+        self.dragged, self._ticket = None, 0
+
+    def say(self, why: str) -> None:
+        """Tell the user why something does not happen."""
+        self._studio.warn(why)
+
+    def _lives(self, node: str) -> bool:
+        """Whether a node is one of the world's own, and not only of a stored moment."""
+        snapshot = self._studio.snapshot
+        return snapshot is not None and node in snapshot.place.rows

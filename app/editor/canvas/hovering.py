@@ -1,0 +1,69 @@
+"""Who is under the mouse, and the card that tells about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from .frame import Frame
+from .hits import controller_at, entity_at
+from .overlays import Card
+from .words import entity_words, node_words
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+
+class Hovering(QObject):
+    """What the mouse points at, without pressing anything.
+
+    Attributes:
+        entity: What is there; -1 if there is none.
+        node: The agent that this is, or the controller whose link or hull is there; empty if there is none.
+
+    Signals:
+        changed: It is something else.
+    """
+
+    changed = Signal()
+
+    def __init__(self, studio: Studio, card: Card, frame: Callable[[], Frame | None]) -> None:
+        super().__init__()
+        self._studio = studio
+        self._card = card
+        self._frame = frame
+        self.entity, self.node = -1, ""
+
+    def look(self, x: float, y: float, *, is_live: bool) -> None:
+        """Tell about what is at a pixel."""
+        frame = self._frame()
+        if frame is None:
+            self.nothing()
+            return
+        entity = entity_at(frame, x, y)
+        node = frame.scene.node(entity) if entity >= 0 else controller_at(frame, x, y)
+        self._point(entity, node, watched=is_live)
+        if entity < 0 and not node:
+            self._card.hide()
+            return
+        snapshot = self._studio.snapshot
+        known = snapshot.watched.get(node) if snapshot is not None and is_live else None
+        lines = (
+            entity_words(self._studio, frame.scene, entity, known)
+            if entity >= 0
+            else node_words(self._studio, frame.scene, node, known)
+        )
+        self._card.tell(lines, x, y)
+
+    def nothing(self) -> None:
+        """Point at nothing."""
+        self._card.hide()
+        self._point(-1, "", watched=False)
+
+    def _point(self, entity: int, node: str, *, watched: bool) -> None:
+        if (entity, node) != (self.entity, self.node):
+            self.entity, self.node = entity, node
+            self._studio.watching.want("canvas", (node,) if node and watched else ())
+            self.changed.emit()

@@ -1,0 +1,69 @@
+"""What can be done at a place of the canvas: its context menu."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtWidgets import QMenu
+
+from .frame import Frame
+from .scene import called
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+_CAMERA = ("canvas.fit", "canvas.follow", "canvas.zoom_in", "canvas.zoom_out")
+_SHOWN = (
+    "canvas.hulls",
+    "canvas.links",
+    "canvas.ranges",
+    "canvas.trails",
+    "canvas.all_trails",
+    "canvas.grid",
+)
+
+
+def fill_menu(menu: QMenu, studio: Studio, frame: Frame, entity: int, controller: str) -> None:
+    """Put into *menu* what can be done with an entity or a controller, then what can be done anywhere."""
+    menu.setToolTipsVisible(True)
+    node = frame.scene.node(entity) or controller
+    if node:
+        _node(menu, studio, frame, node)
+    elif entity >= 0:
+        _attached(menu, studio, frame, entity)
+    for names in (_CAMERA, _SHOWN):
+        for name in names:
+            menu.addAction(studio.actions[name])
+        menu.addSeparator()
+
+
+def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
+    place, select = frame.scene.place, studio.selection.select_nodes
+    name = called(place, node)
+    menu.addAction(f"Select {name}", lambda: select((node,)))
+    parent = place.hierarchy.parents().get(node)
+    if parent is not None:
+        menu.addAction(f"Select its controller {called(place, parent)}", lambda: select((parent,)))
+    first = frame.scene.doing.controllers
+    if place.rows[node] < first:
+        under = tuple(child.id for child in place.hierarchy.node(node).children)
+        menu.addAction(f"Select the {len(under)} under {name}", lambda: select(under))
+
+    def teach() -> None:
+        select((node,))
+        studio.actions["teach.teach"].trigger()
+
+    action = menu.addAction(f"Teach {name}", teach)
+    action.setToolTip(studio.actions["teach.teach"].statusTip())
+    menu.addSeparator()
+
+
+def _attached(menu: QMenu, studio: Studio, frame: Frame, entity: int) -> None:
+    scene = frame.scene
+    numbers = np.flatnonzero(scene.held == entity).tolist()
+    nodes = tuple(scene.place.agents[number] for number in numbers)
+    words = f"Select the {len(nodes)} attached to {scene.called(entity)}"
+    action = menu.addAction(words, lambda: studio.selection.select_nodes(nodes))
+    action.setEnabled(bool(nodes))
+    menu.addSeparator()

@@ -1,0 +1,389 @@
+"""The live picture of the world: a widget that paints the newest snapshot, or a stored moment, and what lies on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPointF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QHideEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
+
+from ...core.errors import UnderstudyError
+from ...core.examples import Moment
+from ...engine.snapshots import Snapshot
+from .camera import Margins
+from .coloring import ATTACHED, Coloring, color_agents
+from .frame import Frame
+from .group_painting import controller_colors
+from .hand import Choice
+from .ink import Ink
+from .legend import Legend
+from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
+from .painting import paint
+from .rows import camera_rows, color_rows, shown_rows
+from .scene import Scene, called, live, remembered
+from .surface import Surface
+from .trails import Trails
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Pixels between what lies on the canvas and its edge.
+EDGE = 10
+#: Milliseconds between two looks at the counts of the legend.
+COUNTING = 200
+
+
+class WorldCanvas(Surface):
+    """The live picture of the world.
+
+    Attributes:
+        scene: What is painted; None while there is no world.
+
+    Signals:
+        entity_chosen: Of those asked for by `choose_entity`.
+        choosing_ended: Nothing was chosen.
+    """
+
+    entity_chosen = Signal(int)
+    choosing_ended = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__(studio)
+        studio.actions.add((*camera_rows(self.looking), *shown_rows(self.looking), *color_rows(self.looking)))
+        self.scene: Scene | None = None
+        self._moment_node = ""
+        self._trails, self._ink = Trails(), Ink()
+        self._coloring: tuple[Scene, object, Coloring] | None = None
+        self._hidden_notice = ""
+        self._make_overlays()
+        self._counting = QTimer(self, interval=COUNTING, singleShot=True)
+        self._counting.timeout.connect(self._count)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMinimumSize(240, 180)
+        self.setAccessibleName("World")
+        self.setToolTipDuration(0)
+        self._connect()
+
+    def _make_overlays(self) -> None:
+        studio = self._studio
+        self.badge = Badge(studio, self)
+        self.camera_buttons = CameraButtons(studio, self)
+        self.legend = Legend(studio, self.looking, self)
+        self.failure = Banner(studio, self, "failure")
+        self.moment = Banner(studio, self, "moment")
+        self.prompt = Banner(studio, self, "prompt")
+        self.notice = Banner(studio, self, "notice")
+
+    def _connect(self) -> None:
+        studio = self._studio
+        studio.opened.connect(self._opened)
+        studio.bridge.snapshot_changed.connect(self._snapshot_changed)
+        studio.bridge.place_changed.connect(self._place_changed)
+        studio.bridge.mode_changed.connect(self._mode_changed)
+        studio.selection.nodes_changed.connect(self._selected)
+        studio.colors.changed.connect(self._recolor)
+        studio.theme.changed.connect(self._dress)
+        studio.moment_wanted.connect(self._moment_wanted)
+        studio.teaching.changed.connect(self._refresh_badge)
+        studio.teaching.choose_requested.connect(self._choose_target)
+        studio.teaching.choose_ended.connect(self.hand.stop_asking)
+        studio.teaching.follow_requested.connect(self._turn_to)
+        self.entity_chosen.connect(studio.teaching.choosing.entity_chosen)
+        self.choosing_ended.connect(studio.teaching.choosing.cancel)
+        self.looking.changed.connect(self.update)
+        self.looking.told.connect(self._told)
+        self.hand.changed.connect(self._hand_changed)
+        self.hand.chosen.connect(self.entity_chosen)
+        self.hand.gave_up.connect(self.choosing_ended)
+
+    # --------------------------------------------------------------------------------------- what is shown
+
+    def frame(self) -> Frame | None:
+        """What is to be painted now; None if there is no world."""
+        scene = self.scene
+        if scene is None:
+            return None
+        snapshot, coloring, hand = self._studio.snapshot, self._colored(scene), self.hand
+        is_taught = self.is_live and snapshot is not None
+        return Frame(
+            scene,
+            self.looking.camera,
+            self.looking.extent,
+            coloring,
+            self._studio.theme.palette,
+            self._trails if self.is_live else Trails(),
+            self.looking.options,
+            self._studio.selection.nodes if self.is_live else (self._moment_node,),
+            snapshot.taught if is_taught and snapshot is not None else frozenset(),
+            self._lit(coloring),
+            self.hovering.entity,
+            hand.dragged if self.is_live else None,
+            hand.band,
+            None if hand.choice is None else hand.choice.targets(),
+            self.devicePixelRatioF(),
+        )
+
+    def _colored(self, scene: Scene) -> Coloring:
+        by = self.looking.color_by
+        if self._coloring is None or self._coloring[0] is not scene or self._coloring[1] is not by:
+            self._coloring = scene, by, color_agents(scene, by, self._studio.colors)
+        return self._coloring[2]
+
+    def _lit(self, coloring: Coloring) -> frozenset[int] | None:
+        lit = self.looking.lit
+        if not lit:
+            return None
+        found = {place for place, entry in enumerate(coloring.entries) if entry.words in lit}
+        return frozenset(found | ({-1} if ATTACHED in lit else set()))
+
+    def _snapshot_changed(self, snapshot: Snapshot) -> None:
+        self.hand.settle(snapshot)
+        self._refresh_notices(snapshot)
+        if not self.is_live:
+            return
+        scene = live(snapshot)
+        self._trails.add(scene)
+        if self.isVisible():
+            self._show(scene)
+            self.hover()
+
+    def _show(self, scene: Scene) -> None:
+        if self.scene is None:
+            self.looking.begin(scene)
+        self.scene = scene
+        if not self._counting.isActive():
+            self._counting.start()
+        self.looking.see(scene, self._studio.selection.nodes)
+        self.update()
+
+    def _place_changed(self, _place: object) -> None:
+        snapshot = self._studio.snapshot
+        self.hovering.nothing()
+        self.hand.let_go()
+        self.legend.begin()
+        self.hand.is_live = True
+        self.moment.show_notice(None)
+        if snapshot is not None:
+            self.scene = live(snapshot)
+            self.looking.begin(self.scene)
+        self._told()
+
+    def _mode_changed(self) -> None:
+        self.back_to_now()
+        self._refresh_badge()
+
+    def _opened(self) -> None:
+        self.scene, self.hand.is_live = None, True
+        self.hovering.nothing()
+        self._trails = Trails()
+        self.hand.let_go()
+        self._refresh_badge()
+        self._told()
+
+    def _selected(self) -> None:
+        if not self._studio.selection.nodes and self.looking.follows:
+            self.looking.follow(on=False)
+        self._refresh_badge()
+        if self.scene is not None and self.is_live:
+            self.looking.see(self.scene, self._studio.selection.nodes)
+        self.update()
+
+    def _recolor(self) -> None:
+        self._coloring = None
+        self.legend.begin()
+        self._count()
+        self.update()
+
+    def _turn_to(self, node: str) -> None:
+        """It is the turn of another node: it has to be in view, which it is as long as all of the world is."""
+        selection = self._studio.selection
+        if selection.node != node:
+            selection.select_nodes((*(other for other in selection.nodes if other != node), node))
+        if not self.looking.fits:
+            self.looking.follow(on=True)
+
+    # ------------------------------------------------------------------------------------- stored moments
+
+    def show_moment(self, moment: Moment, node: str, caption: str = "A stored moment") -> None:
+        """Show the world as it was when an example of *node* was recorded, until `back_to_now`.
+
+        Raises:
+            UnderstudyError: The moment cannot be shown.
+        """
+        document = self._studio.document
+        scene = remembered(moment, document.project, document.scenario)
+        self.hand.is_live, self._moment_node = False, node
+        self.hand.let_go()
+        self.hovering.nothing()
+        self.scene = scene
+        self.looking.look_aside(scene)
+        words = f"{caption}: {called(scene.place, node) or node}, tick {scene.tick:,}"
+        self.moment.show_notice(Notice(words, button="Back to now (Esc)", act=self.back_to_now))
+        self._changed_scene()
+
+    def back_to_now(self) -> None:
+        """Show the world as it is now."""
+        if self.is_live:
+            return
+        self.hand.is_live = True
+        self.moment.show_notice(None)
+        self.looking.look_back()
+        self.hovering.nothing()
+        snapshot = self._studio.snapshot
+        self.scene = None if snapshot is None else live(snapshot)
+        self._changed_scene()
+
+    def _changed_scene(self) -> None:
+        self.legend.begin()
+        self._count()
+        self.heed_escape()
+        self._place_overlays()
+        self.hover()
+        self.update()
+
+    def _moment_wanted(self, moment: Moment | None, node: str, caption: str) -> None:
+        if moment is None:
+            self.back_to_now()
+            return
+        try:
+            self.show_moment(moment, node, caption)
+        except (UnderstudyError, LookupError, ValueError) as error:
+            self._studio.warn(f"this moment cannot be shown: {error}")
+
+    # ------------------------------------------------------------------------------------------- choosing
+
+    def choose_entity(
+        self,
+        prompt: str,
+        accept: Callable[[int], bool],
+        targets: Callable[[], frozenset[int]] = frozenset,
+    ) -> None:
+        """Let the user click an entity, which `entity_chosen` tells; Escape tells `choosing_ended`.
+
+        Args:
+            prompt: What to click, in words.
+            accept: Whether an entity can be chosen.
+            targets: Those that are marked as such.
+        """
+        self.back_to_now()
+        self.hand.ask(Choice(prompt, accept, targets))
+
+    def _choose_target(self, prompt: str) -> None:
+        def targets() -> frozenset[int]:
+            meanings = self._studio.teaching.choosing.meanings()
+            return frozenset(entity for entity in meanings.values() if entity >= 0)
+
+        self.choose_entity(prompt, lambda _: True, targets)  # the teach panel says in words why one is none
+
+    # --------------------------------------------------------------------------------------------- painting
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint the newest frame."""
+        painter = QPainter(self)
+        frame = self.frame()
+        if frame is None:
+            self._paint_empty(painter)
+        else:
+            colors = controller_colors(frame, self.looking.color_by, self._studio.colors)
+            paint(painter, frame, self._ink, colors)
+        painter.end()
+
+    def _paint_empty(self, painter: QPainter) -> None:
+        colors = self._studio.theme.palette
+        painter.fillRect(self.rect(), QColor(colors.canvas))
+        words = "The world begins…" if self._studio.bridge.is_open else "There is no world: add an arm first"
+        at = QPointF(self.width() / 2, self.height() / 2)
+        self._ink.write(painter, at, words, QColor(colors.dim), 13, centered=True)
+
+    def _count(self) -> None:
+        if self.scene is not None:
+            self.legend.tell(self._colored(self.scene), self.width() - 2 * EDGE)
+            self._place_overlays()
+        self.legend.setVisible(self.scene is not None)
+
+    def _told(self) -> None:
+        if self._coloring is not None and self._coloring[1] is not self.looking.color_by:
+            self.legend.begin()
+        self._count()
+        self._studio.actions.refresh()
+        self.update()
+
+    def _dress(self) -> None:
+        for part in (self.legend, self.failure, self.moment, self.prompt, self.notice, self.card):
+            part.dress()
+        self._refresh_badge()
+        self._count()
+        self.hover()
+        self.update()
+
+    # --------------------------------------------------------------------------------------------- overlays
+
+    def _refresh_badge(self) -> None:
+        self.badge.refresh()
+        self._place_overlays()
+
+    def _refresh_notices(self, snapshot: Snapshot) -> None:
+        failed = snapshot.failure
+        words = f"The world stands still: {failed}" if failed else ""
+        reset = self._studio.actions["run.reset"].trigger if failed else None
+        self.failure.show_notice(Notice(words, True, "Reset", reset) if failed else None)
+        notice = snapshot.notice
+        shown = notice and notice != self._hidden_notice
+        words = notice[:1].upper() + notice[1:]
+        self.notice.show_notice(Notice(words, button="Hide", act=self._hide_notice) if shown else None)
+        self._place_overlays()
+
+    def _hide_notice(self) -> None:
+        snapshot = self._studio.snapshot
+        self._hidden_notice = "" if snapshot is None else snapshot.notice
+        if snapshot is not None:
+            self._refresh_notices(snapshot)
+
+    def _place_overlays(self) -> None:
+        width, height = self.width(), self.height()
+        self.badge.move(EDGE, EDGE)
+        self.camera_buttons.move(width - SIDE - EDGE, EDGE)
+        self.legend.move(EDGE, height - self.legend.height() - EDGE)
+        top = EDGE + 40
+        for banner in (self.failure, self.prompt, self.moment, self.notice):
+            if banner.notice is not None:
+                banner.fit_into(max(width - 2 * (SIDE + 2 * EDGE), 160))
+                banner.move((width - banner.width()) // 2, top)
+                top += banner.height() + 6
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The camera keeps the middle, or the whole world."""
+        bottom = 2.0 * EDGE + self.legend.sizeHint().height()
+        margins = Margins(left=EDGE, top=EDGE, right=SIDE + 2.0 * EDGE, bottom=bottom)
+        self.looking.resize(self.width(), self.height(), margins)
+        self._count()
+        self._place_overlays()
+        super().resizeEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what has happened meanwhile."""
+        super().showEvent(event)
+        snapshot = self._studio.snapshot
+        if snapshot is not None and self.is_live:
+            self._show(live(snapshot))
+        self._count()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing is held or looked at any more."""
+        super().hideEvent(event)
+        self.hand.let_go()
+        self.hovering.nothing()
+
+    def _hand_changed(self) -> None:
+        choice = self.hand.choice
+        words = "" if choice is None else choice.prompt[:1].upper() + choice.prompt[1:]
+        self.prompt.show_notice(Notice(words, button="Cancel (Esc)", act=self.hand.cancel) if words else None)
+        self._place_overlays()
+        self.heed_escape()
+        self._set_cursor()
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        """As in the middle of the window."""
+        return QSize(720, 520)

@@ -1,0 +1,247 @@
+"""What the command palette finds, section by section; entries are made only for what is shown."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from ...core.edits import replace_arm
+from ...core.errors import UnderstudyError
+from ..selection import BehaviorKey
+from .matching import letters_of, matching, score
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: As many as are shown.
+MOST = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """Something that was found.
+
+    Attributes:
+        kind: What it is: "action", "behavior", "agent", ...
+        text: Its name.
+        detail: What else is to be said.
+        keys: Its shortcut.
+        do: What choosing it does; None while it is not possible.
+        asks: What is asked before it is done, with the value that holds; None if nothing is.
+    """
+
+    kind: str
+    text: str
+    detail: str = ""
+    keys: str = ""
+    do: Callable[[], object] | None = None
+    asks: Ask | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """A value to be typed.
+
+    Attributes:
+        prompt: What it is for.
+        value: What holds now.
+        take: Uses what was typed; returns why that is not possible, or an empty text.
+    """
+
+    prompt: str
+    value: str
+    take: Callable[[str], str]
+
+
+@dataclass(slots=True)
+class Section:
+    """Things of one kind.
+
+    Attributes:
+        texts: What is searched.
+        entry: Makes the entry at a place.
+        weight: Added to the score: actions come before one of ten thousand agents.
+    """
+
+    kind: str
+    texts: Sequence[str]
+    entry: Callable[[int], Entry]
+    weight: int = 0
+    matched: tuple[str, list[int]] | None = field(default=None, repr=False)
+
+    def search(self, letters: str) -> list[int]:
+        """Places of what matches; an earlier search is narrowed down where it can be."""
+        before = self.matched
+        among = before[1] if before is not None and letters.startswith(before[0]) else None
+        found = matching(letters, self.texts, among)
+        self.matched = letters, found
+        return found
+
+
+class Catalog:
+    """All that can be found in a studio as it is now."""
+
+    def __init__(self, sections: Sequence[Section]) -> None:
+        self.sections = tuple(sections)
+
+    def find(self, query: str, most: int = MOST) -> list[Entry]:
+        """The entries that fit best, the best first."""
+        letters = letters_of(query)
+        ranked: list[tuple[int, int, int, int]] = []
+        for number, section in enumerate(self.sections):
+            places = section.search(letters)
+            if not letters:
+                ranked += [(section.weight, -number, -at, at) for at in places[:most]]
+                continue
+            weighed = (
+                (score(letters, section.texts[at]) + section.weight, -number, -at, at) for at in places
+            )
+            ranked += heapq.nlargest(most, weighed)
+        best = heapq.nlargest(most, ranked)
+        return [self.sections[-number].entry(at) for _, number, _, at in best]
+
+
+def catalog_of(studio: Studio, settings: Sequence[Entry] = (), recent: Sequence[Entry] = ()) -> Catalog:
+    """What can be found now."""
+    return Catalog(
+        [
+            _actions(studio),
+            _fixed("setting", settings, 3),
+            _behaviors(studio),
+            _arms(studio),
+            _parameters(studio),
+            _nodes(studio),
+            _fixed("project", recent, 0),
+        ]
+    )
+
+
+def _fixed(kind: str, entries: Sequence[Entry], weight: int) -> Section:
+    return Section(kind, [entry.text for entry in entries], lambda at: entries[at], weight)
+
+
+def _actions(studio: Studio) -> Section:
+    studio.actions.refresh()
+    rows = [row for row in studio.actions.rows.values() if row.id != "help.palette"]
+    texts = [studio.actions[row.id].text().replace("&", "") for row in rows]
+
+    def entry(at: int) -> Entry:
+        row, action = rows[at], studio.actions[rows[at].id]
+        keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
+        do = action.trigger if action.isEnabled() else None
+        detail = row.menu if do is not None else f"{row.menu} · not possible now".lstrip(" ·")
+        return Entry("action", texts[at], detail, keys, do)
+
+    return Section("action", texts, entry, 6)
+
+
+def _behaviors(studio: Studio) -> Section:
+    found: list[tuple[str, str, str]] = []
+    if studio.is_open:
+        for node_type in studio.document.project.types:
+            library = studio.document.project.library(node_type.name)
+            found += [(a.name, node_type.name, a.id) for a in library.automata.values()]
+            basics = studio.document.types.vocabulary(node_type.name).behaviors
+            names = {a.name for a in library.automata.values()}
+            found += [(name, node_type.name, "") for name in basics if name not in names]
+
+    def entry(at: int) -> Entry:
+        name, type_name, automaton = found[at]
+
+        def show() -> None:
+            if automaton:
+                studio.selection.select_behavior(BehaviorKey(type_name, automaton))
+            studio.show_panel.emit("library")
+
+        return Entry("behavior", name, type_name if automaton else f"{type_name} · basic", do=show)
+
+    return Section("behavior", [name for name, _, _ in found], entry, 5)
+
+
+def _arms(studio: Studio) -> Section:
+    arms = studio.document.project.arms if studio.is_open else ()
+
+    def entry(at: int) -> Entry:
+        arm = arms[at]
+        return Entry("arm", arm.name, arm.note, do=lambda: studio.use_arm(arm.name))
+
+    return Section("arm", [arm.name for arm in arms], entry, 4)
+
+
+def _parameters(studio: Studio) -> Section:
+    arm = studio.arm if studio.is_open else None
+    fields = studio.document.scenario.parameter_fields() if arm is not None else {}
+    names = list(fields)
+    texts = [name.replace("_", " ") for name in names]
+
+    def entry(at: int) -> Entry:
+        declared = fields[names[at]]
+        value = _value(studio, names[at])
+        unit = declared.metadata.get("unit", "")
+        detail = f"{value} {unit}".strip() + f" · {declared.metadata.get('doc', '')}"
+        prompt = f"{texts[at]} in arm {arm.name}" if arm is not None else texts[at]
+        ask = Ask(prompt, str(value), lambda typed: set_parameter(studio, names[at], typed))
+        return Entry("parameter", texts[at], detail, asks=ask)
+
+    return Section("parameter", texts, entry, 3)
+
+
+def _value(studio: Studio, name: str) -> object:
+    arm, document = studio.arm, studio.document
+    if arm is None:
+        return ""
+    return document.scenario.settle(document.project.parameters_of(arm))[name]
+
+
+def set_parameter(studio: Studio, name: str, typed: str) -> str:
+    """Give a parameter of the arm that is shown another value, and begin it again; why not, if that is not possible."""
+    arm, document = studio.arm, studio.document
+    if arm is None:
+        return "no arm is shown"
+    try:
+        default = document.scenario.parameter_fields()[name].default
+        value = _typed(typed, default)
+        changed = replace(arm, parameters={**arm.parameters, name: value})
+        document.scenario.settle(document.project.parameters_of(changed))
+        document.do(replace_arm, arm.name, changed)
+    except (UnderstudyError, ValueError) as error:
+        return str(error)
+    studio.use_arm(arm.name)
+    return ""
+
+
+def _typed(text: str, default: object) -> float | int | str | bool:
+    """*text* as a value of the same kind as *default*."""
+    plain = text.strip()
+    if isinstance(default, bool):
+        if plain.lower() not in ("true", "false", "yes", "no"):
+            raise ValueError(f"it is yes or no, but not {plain!r}")
+        return plain.lower() in ("true", "yes")
+    if isinstance(default, str):
+        return plain
+    kind = int if isinstance(default, int) else float
+    try:
+        return kind(plain)
+    except ValueError:
+        what = "a whole number" if kind is int else "a number"
+        raise ValueError(f"it is {what}, but not {plain!r}") from None
+
+
+def _nodes(studio: Studio) -> Section:
+    snapshot = studio.snapshot if studio.is_open else None
+    ids: Sequence[str] = () if snapshot is None else snapshot.place.ids
+    agents = 0 if snapshot is None else len(snapshot.place.agents)
+    first_agent = len(ids) - agents
+
+    def entry(at: int) -> Entry:
+        kind = "agent" if at >= first_agent else "controller"
+
+        def show() -> None:
+            studio.selection.select_nodes((ids[at],))
+            studio.show_panel.emit("agents")
+
+        return Entry(kind, ids[at], do=show)
+
+    return Section("node", ids, entry)

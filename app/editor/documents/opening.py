@@ -1,0 +1,249 @@
+"""Opening a project: looking at its folder in the background, asking what has to be asked, and only then showing it."""
+
+from __future__ import annotations
+
+import contextlib
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...core.errors import UnderstudyError
+from ...core.project import Project
+from ...core.storage import FilesError, load
+from ...engine.scenarios import OWN_CODE, brings_code, open_scenario
+from ...sim.scenario import Scenario
+from . import autosaves, claims
+from .asking import Answer
+from .autosaves import Autosave
+from .claims import Owner
+from .held import Held
+from .outside import Stamps, stamps_of
+from .private import private_folder, unnamed_folder
+from .words import clock, many, whose
+
+if TYPE_CHECKING:
+    from .background import Job
+    from .files import Files
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What is to be opened, and what the user has answered so far.
+
+    Attributes:
+        trust: Whether code that the project carries may run.
+        shared: Whether it may be opened although another window has it.
+    """
+
+    folder: Path
+    arm: str = ""
+    trust: bool = False
+    shared: bool = False
+    read_only: bool = False
+    recover: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What was found in a folder.
+
+    Attributes:
+        project: None where it cannot be read; *error* says why.
+        other: Who has it open already.
+        kept: What a window that is gone had saved by itself.
+        code: The text of the scenario that the project brings; empty if it brings none.
+    """
+
+    project: Project | None
+    error: UnderstudyError | None
+    private: Path
+    stamps: Stamps
+    other: Owner | None
+    claimed: bool
+    kept: Autosave | None
+    code: str
+
+
+def look(folder: Path, state: Path, owner: Owner) -> Found:
+    """Read the project in *folder* and claim it; nothing that it holds is run."""
+    folder = folder.resolve()
+    private = private_folder(folder, state)
+    stamps = stamps_of(folder)
+    project, error = None, None
+    try:
+        project = load(folder)
+    except UnderstudyError as found:
+        error = found
+    other, claimed = None, False
+    if (folder / "project.json").exists():
+        with contextlib.suppress(OSError):  # without a lock as well as with one
+            other = claims.claim(private, owner)
+            claimed = other is None
+    kept = autosaves.find(private)
+    if kept is not None and (not kept.is_left_over or kept.owner.token == owner.token):
+        kept = None
+    return Found(project, error, private, stamps, other, claimed, kept, _code(project, folder))
+
+
+def _code(project: Project | None, folder: Path) -> str:
+    if project is None or not brings_code(project):
+        return ""
+    try:
+        return (folder / OWN_CODE).read_text(encoding="utf-8", errors="replace") or " "
+    except OSError as error:
+        return f"# cannot be read: {error.strerror}"
+
+
+class Opening:
+    """Opens projects, one at a time."""
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+        self._job: Job | None = None
+
+    def open(self, wish: Wish) -> None:
+        """Open a project in the place of the one that is open, which has been dealt with."""
+        self.cancel()
+        files = self._files
+        files.waiting.emit(f"Opening {wish.folder.name}…")
+        self._job = files.background.do(
+            partial(look, wish.folder, files.state, files.owner),
+            partial(self._found, wish),
+            partial(self._failed, wish),
+        )
+
+    def cancel(self) -> None:
+        """Stay with what is open."""
+        if self._job is not None:
+            self._job.drop()
+            self._job = None
+            self._files.waiting.emit("")
+
+    # ---------------------------------------------------------------------------------------------- questions
+
+    def _found(self, wish: Wish, found: Found) -> None:
+        """Ask the next thing that has to be asked; if nothing has, go on."""
+        if found.project is None:
+            self._unreadable(wish, found)
+        elif found.other is not None and not wish.shared:
+            self._ask_shared(wish, found, found.other)
+        elif found.code and not wish.trust:
+            self._ask_trust(wish, found)
+        elif found.kept is not None and not wish.recover:
+            self._ask_recover(wish, found, found.kept)
+        else:
+            self._go_on(wish, found)
+
+    def _unreadable(self, wish: Wish, found: Found) -> None:
+        self._give_up(found)
+        problems = found.error.problems if isinstance(found.error, FilesError) else ()
+        answers = [Answer("Close")]
+        if found.kept is not None:
+            kept = found.kept
+            answers.insert(0, Answer("Open the autosave", lambda: self._files.recover(kept)))
+        listed = "\n".join(str(problem) for problem in problems) or str(found.error)
+        count = f"{many(len(problems), 'problem')} in {wish.folder}" if problems else str(wish.folder)
+        told = f"{count}. Nothing has been changed."
+        if found.kept is not None:
+            told += f" What was autosaved at {clock(found.kept.at)} can be opened instead."
+        self._files.ask("This project cannot be opened", told, answers, listed, "alert-circle-outline")
+
+    def _ask_shared(self, wish: Wish, found: Found, other: Owner) -> None:
+        goes_on = partial(replace, wish, shared=True)
+        self._files.ask(
+            "Another window has this project open",
+            f"{wish.folder} is open {whose(other)}. If both save, each finds what the other changed and asks which "
+            "of the two is to stay.",
+            (
+                Answer(
+                    "Open read-only",
+                    lambda: self._found(goes_on(read_only=True), found),
+                    "Look and try things out; what is to be kept goes into another folder",
+                ),
+                Answer("Open anyway", lambda: self._found(goes_on(), found), "Both windows can save"),
+                Answer("Cancel", lambda: self._give_up(found)),
+            ),
+        )
+
+    def _ask_trust(self, wish: Wish, found: Found) -> None:
+        self._files.ask(
+            "This project carries code",
+            f"Opening it runs {wish.folder / OWN_CODE}, which can do whatever you can do on this machine. Read it, and "
+            "open the project only if you trust whoever wrote it.",
+            (
+                Answer(
+                    "Trust once", lambda: self._found(replace(wish, trust=True), found), "Run it this time"
+                ),
+                Answer("Don't open", lambda: self._give_up(found)),
+            ),
+            found.code,
+            "shield-alert-outline",
+            standard=1,
+        )
+
+    def _ask_recover(self, wish: Wish, found: Found, kept: Autosave) -> None:
+        def discard() -> None:
+            autosaves.discard(kept.private)
+            self._found(wish, replace(found, kept=None))
+
+        self._files.ask(
+            "Understudy ended without saving this project",
+            f"What was autosaved at {clock(kept.at)} can be recovered. It becomes a step that can be undone, which gives "
+            "back the project as it was saved.",
+            (
+                Answer("Recover", lambda: self._found(replace(wish, recover=True), found)),
+                Answer("Discard it", discard, "Open the project as it was saved, and throw the rest away"),
+                Answer("Cancel", lambda: self._give_up(found)),
+            ),
+            look="backup-restore",
+        )
+
+    # ---------------------------------------------------------------------------------------------- going on
+
+    def _go_on(self, wish: Wish, found: Found) -> None:
+        project, files = found.project, self._files
+        assert project is not None
+
+        def ready() -> tuple[Scenario, Project | None]:
+            scenario = open_scenario(project, wish.folder.resolve(), trust=wish.trust)
+            return scenario, found.kept.project() if found.kept is not None and wish.recover else None
+
+        files.waiting.emit(f"Opening {wish.folder.name}…")
+        self._job = files.background.do(
+            ready, partial(self._ready, wish, found), partial(self._unsound, wish, found)
+        )
+
+    def _ready(self, wish: Wish, found: Found, result: tuple[Scenario, Project | None]) -> None:
+        self._job = None
+        scenario, recovered = result
+        assert found.project is not None
+        folder, files = wish.folder.resolve(), self._files
+        private = found.private if found.claimed else unnamed_folder(files.state, files.owner.token)
+        held = Held(
+            folder, private, found.project, found.stamps, claimed=found.claimed, read_only=wish.read_only
+        )
+        files.show(held, found.project, scenario, recovered=recovered, arm=wish.arm)
+        files.waiting.emit("")
+
+    def _unsound(self, wish: Wish, found: Found, error: UnderstudyError) -> None:
+        self._give_up(found)
+        self._failed(wish, error)
+
+    def _failed(self, wish: Wish, error: UnderstudyError) -> None:
+        self._job = None
+        self._files.waiting.emit("")
+        self._files.ask(
+            "This project cannot be opened",
+            f"{wish.folder}. Nothing has been changed.",
+            (Answer("Close"),),
+            str(error),
+            "alert-circle-outline",
+        )
+
+    def _give_up(self, found: Found) -> None:
+        """Stay with what is open; a project that is not opened is not claimed."""
+        self._job = None
+        if found.claimed and found.private != self._files.held.private:
+            claims.release(found.private, self._files.owner)
+        self._files.waiting.emit("")

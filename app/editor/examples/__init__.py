@@ -1,0 +1,1 @@
+"""The examples of the automaton that is shown."""

@@ -1,0 +1,349 @@
+"""The examples of the automaton that is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QInputDialog,
+    QLabel,
+    QMenu,
+    QStackedLayout,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
+from ...engine.worker import Worker
+from ..actions import ActionRow
+from ..icons import icon
+from .delegates import HEAVIEST, LIGHTEST, LabelDelegate, WeightDelegate
+from .filters import FilterBar
+from .model import Column, ExamplesModel, Subject, states_of
+from .verdicts import Judged, Matter, Verdict, judge
+
+if TYPE_CHECKING:
+    from ...core.examples import Example
+    from ..studio import Studio
+
+_ICONS = {
+    Verdict.CONFLICT: ("swap-horizontal-bold", "teach"),
+    Verdict.OUTVOTED: ("alert-outline", "accent"),
+    Verdict.LEFT_OUT: ("minus-circle-outline", "dim"),
+    Verdict.AGREES: ("check", "good"),
+    Verdict.OFF: ("circle-off-outline", "dim"),
+    Verdict.UNKNOWN: ("help", "dim"),
+}
+_WIDTHS = {
+    Column.ID: 76,
+    Column.SOURCE: 120,
+    Column.LABEL: 120,
+    Column.NODE: 80,
+    Column.TICK: 60,
+    Column.DEMONSTRATION: 110,
+    Column.WEIGHT: 56,
+    Column.VERDICT: 96,
+}
+EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
+
+
+class ExamplesPanel(QWidget):
+    """A table of examples that can be filtered, sorted, relabeled, weighted, and switched off.
+
+    Signals:
+        title_changed: How many there are.
+    """
+
+    title_changed = Signal(str)
+    _judged = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self.model = ExamplesModel()
+        self.filters = FilterBar(self.model)
+        self.table = self._table()
+        self._worker = Worker(judge, lambda matter, _: Judged(matter, {}), self._judged.emit, "judge")
+        self._empty = QLabel(EMPTY)
+        self._empty.setProperty("role", "empty")
+        self._empty.setWordWrap(True)
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._lay_out()
+        self._shown: tuple[object, object] = (None, None)
+        self._selecting = False
+        self._closed = False
+        self._connect()
+        studio.actions.add(example_rows(self))
+        studio.closing.connect(self._close)
+        self._dress()
+        self.refresh()
+
+    def _table(self) -> QTableView:
+        table = QTableView()
+        table.setModel(self.model)
+        table.setAccessibleName("examples")
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setEditTriggers(
+            QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed
+        )
+        table.setSortingEnabled(True)
+        table.sortByColumn(Column.ID, Qt.SortOrder.AscendingOrder)
+        table.setShowGrid(False)
+        table.setWordWrap(False)
+        table.verticalHeader().hide()
+        table.verticalHeader().setDefaultSectionSize(24)
+        header = table.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        for column, width in _WIDTHS.items():
+            table.setColumnWidth(column, width)
+        header.setSectionResizeMode(Column.WORDS, QHeaderView.ResizeMode.Stretch)
+        table.setItemDelegateForColumn(Column.LABEL, LabelDelegate(self.model, table))
+        table.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(table))
+        table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        table.customContextMenuRequested.connect(self._menu)
+        return table
+
+    def _lay_out(self) -> None:
+        full = QWidget()
+        column = QVBoxLayout(full)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.filters)
+        column.addWidget(self.table, 1)
+        self._pages = QStackedLayout(self)
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(full)
+        self.setFocusProxy(self.table)
+
+    def _connect(self) -> None:
+        studio = self._studio
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self.refresh)
+        for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
+            signal.connect(self._soon.start)
+        studio.selection.examples_changed.connect(self._show_selected)
+        studio.theme.changed.connect(self._dress)
+        self.filters.changed.connect(self._filter)
+        self.model.edited.connect(self._edit)
+        self._judged.connect(self._take_verdicts)
+        self.table.selectionModel().selectionChanged.connect(self._selected)
+
+    def _close(self) -> None:
+        """Ask no more: whatever still changes while the window closes is not judged."""
+        self._closed = True
+        self._worker.close()
+
+    # --------------------------------------------------------------------------------------------- showing
+
+    def refresh(self) -> None:
+        """Show the examples that there are now."""
+        subject, examples = self._subject()
+        now = (None if subject is None else subject.automaton, examples)
+        if now[0] is self._shown[0] and now[1] is self._shown[1]:
+            return
+        self._shown = now
+        self.filters.offer(subject, examples)
+        self._selecting = True
+        self.model.show(subject, examples)
+        self._selecting = False
+        self._pages.setCurrentIndex(1 if examples else 0)
+        self._filter()
+        if subject is not None and not self._closed:
+            self._worker.ask(Matter(subject.automaton, examples))
+
+    def _subject(self) -> tuple[Subject | None, tuple[Example, ...]]:
+        document, shown = self._studio.document, self._studio.selection.behavior
+        automaton = None if shown is None else document.automaton(shown.type, shown.id)
+        if shown is None or automaton is None:
+            return None, ()
+        library = document.project.library(shown.type)
+        subject = Subject(shown.type, automaton, library, document.vocabulary(shown.type))
+        return subject, document.project.examples_of(shown.type, shown.id)
+
+    def _filter(self) -> None:
+        self._selecting = True
+        self.model.keep(self.filters.passes())
+        self._selecting = False
+        shown, there = self.model.counts
+        self.filters.count.setText(f"{shown:,} of {there:,}" if shown != there else f"{there:,} examples")
+        self.filters.clear.setEnabled(not self.filters.is_open)
+        self.title_changed.emit(f"Examples {there:,}" if there else "Examples")
+        self._show_selected()
+
+    def _take_verdicts(self) -> None:
+        for judged in self._worker.answers():
+            self.model.judge(judged.verdicts)
+            if self.filters.verdict.currentData() is not None:
+                self._filter()
+
+    def _dress(self) -> None:
+        theme = self._studio.theme
+        self.model.dress({v: icon(name, theme, color) for v, (name, color) in _ICONS.items()})
+
+    # ------------------------------------------------------------------------------------------ selecting
+
+    @property
+    def chosen(self) -> tuple[str, ...]:
+        """Ids of the examples that are selected."""
+        return self._studio.selection.examples
+
+    def _selected(self) -> None:
+        if self._selecting:
+            return
+        rows = self.table.selectionModel().selectedRows()
+        ids = [self.model.example(row.row()).id for row in rows]
+        self._selecting = True
+        self._studio.selection.select_examples(ids)
+        self._selecting = False
+        self.show_moment()
+
+    def _show_selected(self) -> None:
+        """Select the rows of the examples that are selected."""
+        if self._selecting:
+            return
+        selection = QItemSelection()
+        last = len(Column) - 1
+        rows = [row for i in self.chosen if (row := self.model.row_of(i)) >= 0]
+        for row in rows:
+            selection.select(self.model.index(row, 0), self.model.index(row, last))
+        self._selecting = True
+        self.table.selectionModel().select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
+        self._selecting = False
+        if rows:
+            self.table.scrollTo(self.model.index(rows[0], 0))
+
+    def show_moment(self) -> None:
+        """Show on the canvas the moment in which the selected example was recorded; of several or none, the present."""
+        example = self._only_chosen()
+        moments = self._studio.document.project.moments
+        if example is None or example.snapshot not in moments:
+            self._studio.moment_wanted.emit(None, "", "")
+            return
+        caption = f"The moment of example {example.id}"
+        self._studio.attempt(
+            lambda: self._studio.moment_wanted.emit(moments[example.snapshot], example.node, caption)
+        )
+
+    def _only_chosen(self) -> Example | None:
+        if len(self.chosen) != 1:
+            return None
+        row = self.model.row_of(self.chosen[0])
+        return None if row < 0 else self.model.example(row)
+
+    # ------------------------------------------------------------------------------------------- editing
+
+    def _edit(self, column: int, ids: tuple[str, ...], value: object) -> None:
+        """Carry out what was edited in a cell, for all selected examples if it is one of them."""
+        chosen = self.chosen if ids[0] in self.chosen else ids
+        if column == Column.ID:
+            self._change(enable_examples if value else disable_examples, chosen)
+        elif column == Column.LABEL:
+            self._change(relabel_examples, chosen, value)
+        elif column == Column.WEIGHT:
+            self._change(weight_examples, chosen, value)
+
+    def _change(self, edit: Callable[..., Any], ids: tuple[str, ...], *more: object) -> None:
+        shown = self._studio.selection.behavior
+        if shown is not None and ids:
+            self._studio.document.attempt(edit, shown.type, shown.id, ids, *more)
+
+    def switch(self, *, on: bool) -> None:
+        """Learn from the selected examples again, or no longer."""
+        self._change(enable_examples if on else disable_examples, self.chosen)
+
+    def relabel(self) -> None:
+        """Let the selected examples say something else."""
+        subject = self.model.subject
+        if subject is None or not self.chosen:
+            return
+        states = states_of(subject)
+        names = [name for _, name in states]
+        name, ok = QInputDialog.getItem(
+            self, "Relabel", "The selected examples go to", names, 0, editable=False
+        )
+        if ok:
+            self._change(relabel_examples, self.chosen, states[names.index(name)][0])
+
+    def weigh(self) -> None:
+        """Let the selected examples count more or less."""
+        weight, ok = QInputDialog.getDouble(
+            self, "Weight", "Each of the selected examples counts as", 1.0, LIGHTEST, HEAVIEST, 2
+        )
+        if ok:
+            self._change(weight_examples, self.chosen, weight)
+
+    def _menu(self, at: QPoint) -> None:
+        menu = QMenu(self)
+        for row in example_rows(self):
+            menu.addAction(self._studio.actions[row.id])
+        menu.exec(self.table.viewport().mapToGlobal(at))
+
+
+def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
+    """What can be done with examples."""
+
+    def chosen(_studio: Studio) -> bool:
+        return bool(panel.chosen)
+
+    return (
+        ActionRow(
+            "examples.disable",
+            "Do not learn from examples",
+            "Behavior",
+            lambda _: panel.switch(on=False),
+            "examples",
+            "Ctrl+Backspace",
+            "Keep the selected examples, but do not learn from them",
+            "circle-off-outline",
+            chosen,
+        ),
+        ActionRow(
+            "examples.enable",
+            "Learn from examples again",
+            "Behavior",
+            lambda _: panel.switch(on=True),
+            "examples",
+            "Ctrl+Shift+Backspace",
+            "Learn from the selected examples again",
+            "check",
+            chosen,
+        ),
+        ActionRow(
+            "examples.relabel",
+            "Relabel examples…",
+            "Behavior",
+            lambda _: panel.relabel(),
+            "examples",
+            "Ctrl+Alt+L",
+            "Let the selected examples say something else",
+            "label-outline",
+            chosen,
+        ),
+        ActionRow(
+            "examples.weigh",
+            "Weight of examples…",
+            "Behavior",
+            lambda _: panel.weigh(),
+            "examples",
+            tip="Let the selected examples count more or less",
+            icon="weight",
+            enabled=chosen,
+        ),
+        ActionRow(
+            "examples.moment",
+            "Show the moment of the example",
+            "Behavior",
+            lambda _: panel.show_moment(),
+            "examples",
+            "Ctrl+M",
+            "Show on the canvas when the selected example was recorded",
+            "history",
+            lambda _: panel.chosen != (),
+        ),
+    )

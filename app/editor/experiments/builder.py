@@ -1,0 +1,447 @@
+"""The dialog that builds an experiment: arms, what is varied, how often, and what is claimed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPlainTextEdit,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.errors import ParameterError, UnderstudyError
+from ...core.naming import slug
+from ...engine.experiments.keeping import save_experiment
+from ...engine.experiments.load import experiments_in
+from ...engine.experiments.plan import (
+    Claim,
+    Design,
+    Experiment,
+    Factor,
+    Given,
+    Kind,
+    Level,
+    Panel,
+    Treated,
+)
+from ...engine.experiments.treatments import refuse_settings
+from ..forms.parts import Complaint, caption, framed
+
+if TYPE_CHECKING:
+    from ...core.project import Project
+    from ...sim.scenario import Scenario
+    from ..studio import Studio
+
+#: What claims can say, as the user reads it.
+SAYS = {Kind.GREATER: "is greater than", Kind.SAME: "is the same as", Kind.NEVER_STALLS: "never stalls"}
+USUAL_TICKS, USUAL_RUNS = 20_000, 20
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """What the dialog holds, as text; `drafted` makes an experiment of it."""
+
+    name: str
+    title: str
+    note: str
+    ticks: str
+    runs: str
+    seed: str
+    arms: tuple[Treated, ...]
+    factors: tuple[tuple[str, str], ...]  # setting, values with commas between them
+    design: Design
+    claims: tuple[tuple[str, Kind, str, str], ...]  # first, kind, second, measure
+    measures: tuple[str, ...]
+
+
+def drafted(draft: Draft, base: Experiment | None, project: Project, scenario: Scenario) -> Experiment:
+    """The experiment that a draft describes; what the dialog does not show is kept from *base*.
+
+    Raises:
+        UnderstudyError: Something in it is not possible; the message says what and what is allowed.
+    """
+    if not draft.arms:
+        raise ParameterError("an experiment needs at least one arm: tick one")
+    factors = tuple(_factor(setting, values, base) for setting, values in draft.factors if setting)
+    names = [factor.name for factor in factors]
+    if twice := next((name for name in names if names.count(name) > 1), ""):
+        raise ParameterError(f"{twice!r} is varied twice; give all its values in one row")
+    for arm in draft.arms:
+        for level in (Level("", {}), *(level for factor in factors for level in factor.levels)):
+            refuse_settings(project, scenario, arm.arm, {**arm.settings, **level.settings})
+    ticks = _whole("ticks a run", draft.ticks, 1, 10**9)
+    fresh = Experiment(draft.name, draft.title.strip() or draft.name, draft.arms, ticks, 1)
+    kept = fresh if base is None else base
+    measures = draft.measures or tuple(scenario.measures)[:1]
+    shown = tuple(panel.measure for panel in kept.panels)
+    return replace(
+        kept,
+        name=draft.name,
+        title=fresh.title,
+        note=draft.note.strip(),
+        arms=draft.arms,
+        ticks=ticks,
+        runs=_whole("runs an arm", draft.runs, 1, 1_000_000),
+        seed=_whole("the first seed", draft.seed, 0, 2**62),
+        points=min(kept.points, ticks),
+        factors=factors,
+        design=draft.design,
+        claims=_claims(draft, base),
+        panels=kept.panels if shown == measures else tuple(Panel(measure) for measure in measures),
+    )
+
+
+def _whole(what: str, text: str, low: int, high: int) -> int:
+    plain = text.replace(",", "").replace(" ", "")
+    if plain.isdecimal() and low <= int(plain) <= high:
+        return int(plain)
+    raise ParameterError(f"{what}: a whole number from {low:,} to {high:,}, but this is {text.strip()!r}")
+
+
+def _factor(setting: str, values: str, base: Experiment | None) -> Factor:
+    """One row of what is varied; a factor of *base* whose values still read the same stays as it is."""
+    for factor in base.factors if base is not None else ():
+        if (setting, values) == shown_factor(factor):
+            return factor
+    given = [part.strip() for part in values.split(",") if part.strip()]
+    if not given:
+        raise ParameterError(
+            f"{setting}: give the values to try, with commas between them, such as 5, 10, 20"
+        )
+    if twice := next((part for part in given if given.count(part) > 1), ""):
+        raise ParameterError(f"{setting}: {twice!r} is given twice")
+    name = setting.rpartition(".")[2]
+    return Factor(name, tuple(Level(part, {setting: _value(part)}) for part in given))
+
+
+def _value(text: str) -> Given:
+    """What a word stands for: true and false, numbers, sizes such as "2 x 5 x 5", or itself."""
+    if text in ("true", "false"):
+        return text == "true"
+    sizes = [part.strip() for part in text.split("x")]
+    if len(sizes) > 1 and all(part.isdecimal() for part in sizes):
+        return tuple(map(int, sizes))
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def shown_factor(factor: Factor) -> tuple[str, str]:
+    """A factor as a row: its setting, and its values; the names of levels that change several settings at once."""
+    settings = {setting for level in factor.levels for setting in level.settings}
+    setting = settings.pop() if len(settings) == 1 else factor.name
+    return setting, ", ".join(level.name for level in factor.levels)
+
+
+def _claims(draft: Draft, base: Experiment | None) -> tuple[Claim, ...]:
+    """The claims of the rows; those of *base* that a row cannot show are kept, and texts are where nothing has changed."""
+    before = base.claims if base is not None else ()
+    kept = {row: claim for claim in before if (row := shown_claim(claim)) is not None}
+    arms = {arm.name for arm in draft.arms}
+    found = [claim for claim in before if shown_claim(claim) is None]
+    for row in draft.claims:
+        first, kind, second, measure = row
+        if first not in arms or (kind is not Kind.NEVER_STALLS and second not in arms):
+            raise ParameterError(
+                f"a claim compares {first!r} and {second!r}, but both have to be arms that are ticked"
+            )
+        if kind is not Kind.NEVER_STALLS and first == second:
+            raise ParameterError(f"a claim compares {first!r} with itself")
+        text = f"{first} {SAYS[kind]} {second} in {measure}" if second else f"{first} {SAYS[kind]}"
+        found.append(kept.get(row) or Claim(text, kind, measure, first, second))
+    return tuple(found)
+
+
+def shown_claim(claim: Claim) -> tuple[str, Kind, str, str] | None:
+    """A claim as a row; None for one that compares with a result from elsewhere, or speaks of some levels only."""
+    if claim.kind not in SAYS or not isinstance(claim.second, str) or claim.where:
+        return None
+    return claim.first, claim.kind, claim.second, claim.measure
+
+
+class ExperimentBuilder(QDialog):
+    """Asks for an experiment, and keeps it in the project's folder.
+
+    Signals:
+        kept: It was written, under this name.
+    """
+
+    kept = Signal(str)
+
+    def __init__(
+        self,
+        studio: Studio,
+        folder: Path,
+        base: Experiment | None,
+        parent: QWidget,
+        *,
+        copied: bool = False,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("experiment-builder")
+        self._studio = studio
+        self._folder = folder
+        self._base = base
+        self._old_name = base.name if base is not None and not copied else ""
+        self.setWindowTitle("Edit the experiment" if self._old_name else "New experiment")
+        self._make_fields(base, copied=copied)
+        self.trouble = Complaint(studio.theme)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Keep it")
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        tabs = QTabWidget()
+        tabs.setDocumentMode(True)
+        for title, page in (
+            ("General", self._general()),
+            ("Arms", self._arms_page()),
+            ("Varied", self._factors_page()),
+            ("Claims", self._claims_page()),
+        ):
+            tabs.addTab(page, title)
+        self.tabs = tabs
+        column = QVBoxLayout(self)
+        column.addWidget(tabs, 1)
+        column.addWidget(self.trouble)
+        column.addWidget(self.buttons)
+        self.resize(620, 480)
+
+    # --------------------------------------------------------------------------------------------- fields
+
+    def _make_fields(self, base: Experiment | None, *, copied: bool) -> None:
+        title = "" if base is None else f"{base.title} (copy)" if copied else base.title
+        self.title = QLineEdit(title)
+        self.title.setPlaceholderText("What it compares, in a line")
+        self.name = QLineEdit(self._old_name)
+        self.name.setPlaceholderText("made from the title")
+        self.name.setToolTip("The name of its file in experiments/, and on the command line")
+        self.note = QPlainTextEdit("" if base is None else base.note)
+        self.note.setMaximumHeight(90)
+        framed(self.note, self._studio.theme)
+        self.ticks = QLineEdit(f"{USUAL_TICKS if base is None else base.ticks:,}")
+        self.runs = QLineEdit(f"{USUAL_RUNS if base is None else base.runs:,}")
+        self.seed = QLineEdit(str(1 if base is None else base.seed))
+        self.measures = QListWidget()
+        self.measures.setMaximumHeight(76)
+        framed(self.measures, self._studio.theme)
+        shown = [panel.measure for panel in base.panels] if base is not None else []
+        for measure in self._studio.document.scenario.measures:
+            _add_ticked(self.measures, measure, ticked=measure in shown or not shown)
+        self.design = QComboBox()
+        self.design.addItem("All combinations", Design.FACTORIAL)
+        self.design.addItem("One thing at a time; the first value is the usual one", Design.ONE_AT_A_TIME)
+        if base is not None:
+            self.design.setCurrentIndex(self.design.findData(base.design))
+
+    def _general(self) -> QWidget:
+        page = QWidget()
+        form = QFormLayout(page)
+        for label, field in (
+            ("Title", self.title),
+            ("Name", self.name),
+            ("Note", self.note),
+            ("Ticks a run", self.ticks),
+            ("Runs an arm", self.runs),
+            ("First seed", self.seed),
+            ("Curves of", self.measures),
+        ):
+            form.addRow(label, field)
+        return page
+
+    def _arms_page(self) -> QWidget:
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.addWidget(
+            caption("Tick the arms that take part. What an arm of this experiment sets is kept.")
+        )
+        self.arms = QListWidget()
+        self.arms.setAccessibleName("arms")
+        framed(self.arms, self._studio.theme)
+        taking_part = self._base.arms if self._base is not None else ()
+        for treated in taking_part:
+            _add_ticked(self.arms, treated.name, ticked=True, value=treated)
+        for arm in self._studio.document.project.arms:
+            if all(treated.arm != arm.name or treated.settings for treated in taking_part):
+                _add_ticked(self.arms, arm.name, ticked=self._base is None, value=Treated(arm.name, arm.name))
+        column.addWidget(self.arms, 1)
+        return page
+
+    def _factors_page(self) -> QWidget:
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.addWidget(
+            caption(
+                "Each row varies a setting in all arms: a parameter of the world, the sizes of the levels (such as "
+                "2 x 5 x 5), the physics, the learner. Values have commas between them."
+            )
+        )
+        self.factors = _table(["Setting", "Values"])
+        for factor in self._base.factors if self._base is not None else ():
+            self.add_factor(*shown_factor(factor))
+        column.addWidget(self.factors, 1)
+        column.addLayout(_below(self.factors, lambda: self.add_factor("", "")))
+        column.addWidget(self.design)
+        return page
+
+    def settings(self) -> list[str]:
+        """What can be varied."""
+        world = [f"world.{name}" for name in self._studio.document.scenario.parameter_fields()]
+        return [*world, "sizes", "physics", "top", "world", "learner.classifier", "learner.picks"]
+
+    def add_factor(self, setting: str, values: str) -> None:
+        """One more row of what is varied."""
+        row = self.factors.rowCount()
+        self.factors.insertRow(row)
+        box = QComboBox()
+        box.setEditable(True)
+        box.addItems(self.settings())
+        box.setCurrentText(setting)
+        box.setAccessibleName("setting")
+        self.factors.setCellWidget(row, 0, box)
+        self.factors.setItem(row, 1, QTableWidgetItem(values))
+
+    def _claims_page(self) -> QWidget:
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.addWidget(
+            caption("Each claim is tested (two-tailed Welch t-tests, Bonferroni) and gets a verdict.")
+        )
+        self.claims = _table(["Arm", "says", "Arm", "in"])
+        for claim in self._base.claims if self._base is not None else ():
+            if (row := shown_claim(claim)) is not None:
+                self.add_claim(*row)
+        column.addWidget(self.claims, 1)
+        column.addLayout(_below(self.claims, lambda: self.add_claim("", Kind.GREATER, "", "")))
+        return page
+
+    def add_claim(self, first: str, kind: Kind, second: str, measure: str) -> None:
+        """One more row of claims."""
+        row = self.claims.rowCount()
+        self.claims.insertRow(row)
+        arms = [_text(item) for item in _items(self.arms)]
+        measures = list(self._studio.document.scenario.measures)
+        for place, names, chosen in ((0, arms, first), (2, ["", *arms], second), (3, measures, measure)):
+            box = QComboBox()
+            box.addItems(list(dict.fromkeys(names)))
+            box.setCurrentText(chosen or (names[0] if names else ""))
+            self.claims.setCellWidget(row, place, box)
+        says = QComboBox()
+        for one, words in SAYS.items():
+            says.addItem(words, one)
+        says.setCurrentIndex(says.findData(kind))
+        self.claims.setCellWidget(row, 1, says)
+
+    # -------------------------------------------------------------------------------------------- keeping
+
+    def draft(self) -> Draft:
+        """What the fields hold."""
+        title = self.title.text()
+        ticked = [item for item in _items(self.arms) if item.checkState() is Qt.CheckState.Checked]
+        shown = [item for item in _items(self.measures) if item.checkState() is Qt.CheckState.Checked]
+        return Draft(
+            self.name.text().strip() or slug(title, "experiment"),
+            title,
+            self.note.toPlainText(),
+            self.ticks.text(),
+            self.runs.text(),
+            self.seed.text(),
+            tuple(item.data(Qt.ItemDataRole.UserRole) for item in ticked),
+            tuple(self._factor_row(row) for row in range(self.factors.rowCount())),
+            self.design.currentData(),
+            tuple(self._claim_row(row) for row in range(self.claims.rowCount())),
+            tuple(_text(item) for item in shown),
+        )
+
+    def _factor_row(self, row: int) -> tuple[str, str]:
+        box, item = self.factors.cellWidget(row, 0), self.factors.item(row, 1)
+        assert isinstance(box, QComboBox)
+        return box.currentText().strip(), "" if item is None else item.text()
+
+    def _claim_row(self, row: int) -> tuple[str, Kind, str, str]:
+        boxes = [self.claims.cellWidget(row, column) for column in range(4)]
+        first, says, second, measure = (box for box in boxes if isinstance(box, QComboBox))
+        kind = says.currentData()
+        other = "" if kind is Kind.NEVER_STALLS else second.currentText()
+        return first.currentText(), kind, other, measure.currentText()
+
+    def accept(self) -> None:
+        """Keep it, unless something in it is not possible."""
+        document = self._studio.document
+        try:
+            experiment = drafted(self.draft(), self._base, document.project, document.scenario)
+            taken = experiment.name in experiments_in(self._folder)
+            if taken and experiment.name != self._old_name:
+                raise ParameterError(f"there is an experiment {experiment.name!r} already; give another name")
+            save_experiment(self._folder, experiment)
+        except UnderstudyError as error:
+            self.trouble.say(str(error))
+            return
+        self.kept.emit(experiment.name)
+        super().accept()
+
+
+def _table(head: Sequence[str]) -> QTableWidget:
+    table = QTableWidget(0, len(head))
+    table.setHorizontalHeaderLabels(list(head))
+    table.verticalHeader().hide()
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    table.verticalHeader().setDefaultSectionSize(32)
+    return table
+
+
+def _below(table: QTableWidget, add: object) -> QHBoxLayout:
+    """Buttons that add and remove rows."""
+    more, less = QPushButton("Add a row"), QPushButton("Remove the row")
+    more.clicked.connect(add)
+    less.clicked.connect(
+        lambda: table.removeRow(table.currentRow() if table.currentRow() >= 0 else table.rowCount() - 1)
+    )
+    line = QHBoxLayout()
+    line.addWidget(more)
+    line.addWidget(less)
+    line.addStretch(1)
+    return line
+
+
+def _add_ticked(where: QListWidget, text: str, *, ticked: bool, value: object = None) -> None:
+    item = QListWidgetItem(text)
+    item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+    item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
+    item.setData(Qt.ItemDataRole.UserRole, value)
+    where.addItem(item)
+
+
+def _items(where: QListWidget) -> list[QListWidgetItem]:
+    return [where.item(row) for row in range(where.count())]
+
+
+def _text(item: QListWidgetItem) -> str:
+    return item.text()

@@ -1,0 +1,98 @@
+"""Curves with their bands of confidence, which grow while an experiment runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+if TYPE_CHECKING:
+    from ...engine.experiments.findings import Findings, Summary
+    from ..theme import Theme
+
+BAND_ALPHA = 46
+DASHES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
+#: More cells than this cannot be told apart in one plot; the first are drawn.
+MOST = 12
+
+
+class CurvesView(QWidget):
+    """The mean of a measure over time, a line a cell, each with its 95% band.
+
+    Attributes:
+        names: Of the lines that are drawn.
+    """
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self.plot = pg.PlotWidget()
+        self.plot.setMenuEnabled(False)
+        self.plot.hideButtons()
+        self.plot.setAccessibleName("curves")
+        self.plot.getAxis("bottom").setLabel("tick")
+        self.plot.getAxis("bottom").enableAutoSIPrefix(False)
+        self._legend = self.plot.addLegend(offset=(10, 8), labelTextSize="9pt")
+        self._items: list[tuple[Any, Any, Any]] = []  # line, lower edge, upper edge
+        self.names: list[str] = []
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.plot)
+        theme.changed.connect(self._dress)
+        self._dress()
+
+    def show_findings(self, found: Findings | None, measure: str) -> None:
+        """Draw what was found so far of *measure*."""
+        drawn = [s for s in found.summaries if s.runs][:MOST] if found is not None else []
+        names = [summary.cell.name for summary in drawn]
+        if names != self.names:
+            self._begin(names)
+        if found is None or measure not in found.curves:
+            self._begin([])
+            return
+        row = found.curves.index(measure)
+        for summary, items in zip(drawn, self._items, strict=True):
+            _draw(summary, row, found.experiment.ticks, items)
+        self.plot.getAxis("left").setLabel(measure)
+
+    def _begin(self, names: list[str]) -> None:
+        self.plot.clear()
+        self._legend.clear()
+        self.names = names
+        self._items = [self._line(number, name) for number, name in enumerate(names)]
+
+    def _line(self, number: int, name: str) -> tuple[Any, Any, Any]:
+        lines = self._theme.palette.lines
+        color = QColor(lines[number % len(lines)])
+        band = QColor(color)
+        band.setAlpha(BAND_ALPHA)
+        edge = pg.mkPen(None)
+        low, high = self.plot.plot(pen=edge), self.plot.plot(pen=edge)
+        self.plot.addItem(pg.FillBetweenItem(low, high, brush=pg.mkBrush(band)))
+        pen = pg.mkPen(color, width=2, style=DASHES[(number // len(lines)) % len(DASHES)])
+        return self.plot.plot(pen=pen, name=name), low, high
+
+    def _dress(self) -> None:
+        theme = self._theme
+        self.plot.setBackground(theme.color("panel"))
+        for side in ("left", "bottom"):
+            axis = self.plot.getAxis(side)
+            axis.setPen(theme.color("hairline"))
+            axis.setTextPen(theme.color("dim"))
+        self._legend.setLabelTextColor(theme.color("text"))
+        self.names = []  # lines take their colors anew when they are drawn next
+
+
+def _draw(summary: Summary, row: int, ticks: int, items: tuple[Any, Any, Any]) -> None:
+    mean, half = summary.curve[row], summary.band[row]
+    x = np.linspace(0.0, ticks, len(mean))
+    line, low, high = items
+    line.setData(x, mean)
+    # A single run has no band: its half width is not a number.
+    half = np.nan_to_num(half)
+    low.setData(x, mean - half)
+    high.setData(x, mean + half)

@@ -1,0 +1,140 @@
+"""What was found, as files: the figure (SVG, PNG, PDF), the numbers (CSV), the report (Markdown)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QFileDialog, QPushButton
+
+from ...core.errors import StorageError, UnderstudyError
+from ...engine.experiments.data import curves_csv, runs_csv
+from ...engine.experiments.fingerprint import fingerprint_of
+from ...engine.experiments.report import Files, markdown
+from ...engine.experiments.store import Results
+from ..drawing.curve_painting import painted
+from ..drawing.experiment_chart import chart_of
+
+if TYPE_CHECKING:
+    from ...engine.experiments.findings import Findings
+    from .study import Study
+    from .window import ExperimentsWindow
+
+
+class Exporting:
+    """Buttons that write files."""
+
+    def __init__(self, window: ExperimentsWindow) -> None:
+        self._window = window
+        self.buttons = tuple(
+            self._button(text, tip, act)
+            for text, tip, act in (
+                ("Figure…", "Write the figure as SVG, PNG or PDF", self.choose_figure),
+                ("Data…", "Write all runs as CSV, and the curves beside them", self.choose_data),
+                ("Report…", "Write tables, tests and verdicts as Markdown", self.choose_report),
+            )
+        )
+
+    def _button(self, text: str, tip: str, act: Callable[[], None]) -> QPushButton:
+        button = QPushButton(text)
+        button.setToolTip(tip)
+        button.clicked.connect(act)
+        return button
+
+    def refresh(self) -> None:
+        """There is something to write as soon as a run has ended."""
+        found = getattr(self._window, "found", None)
+        ready = found is not None and any(summary.runs for summary in found.summaries)
+        for button in self.buttons:
+            button.setEnabled(ready)
+
+    # ------------------------------------------------------------------------------------------- choosing
+
+    def choose_figure(self) -> None:
+        """Ask where the figure goes."""
+        self._ask("Write the figure", "svg", "SVG (*.svg);;PNG (*.png);;PDF (*.pdf)", self.write_figure)
+
+    def choose_data(self) -> None:
+        """Ask where the numbers go."""
+        self._ask("Write the data", "csv", "CSV (*.csv)", self.write_data)
+
+    def choose_report(self) -> None:
+        """Ask where the report goes."""
+        self._ask("Write the report", "md", "Markdown (*.md)", self.write_report)
+
+    def _ask(self, title: str, ending: str, kinds: str, write: Callable[[Path], None]) -> None:
+        study = self._window.study
+        if study is None:
+            return
+        dialog = QFileDialog(self._window, title, str(study.folder), kinds)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix(ending)
+        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+        dialog.selectFile(f"{study.path.stem}.{ending}")
+        dialog.filterSelected.connect(lambda kind: dialog.setDefaultSuffix(kind.split("*.")[-1].rstrip(")")))
+        dialog.fileSelected.connect(lambda chosen: write(Path(chosen)))
+        dialog.open()
+
+    # -------------------------------------------------------------------------------------------- writing
+
+    def write_figure(self, path: Path) -> None:
+        """Draw the figure into a file; its ending says how."""
+        found = self._found()
+        if path.suffix not in (".svg", ".png", ".pdf"):
+            self._failed(StorageError(f"{path}: a figure ends with .svg, .png or .pdf"))
+            return
+        content = painted(chart_of(found), path.suffix, dark=self._window.studio.theme.is_dark)
+        self._write({path: content})
+
+    def write_data(self, path: Path) -> None:
+        """Write a line a run, and the curves into a second file beside it."""
+        found, study = self._found(), self._study()
+
+        def content() -> dict[Path, bytes]:
+            mark = fingerprint_of(study.project, study.scenario, study.experiment)
+            with Results.open(study.path, mark) as results:
+                runs = runs_csv(study.experiment, results)
+            return {
+                path: runs.encode(),
+                path.with_name(f"{path.stem}-curves.csv"): curves_csv(found).encode(),
+            }
+
+        self._window.background.do(content, self._write, self._failed)
+
+    def write_report(self, path: Path) -> None:
+        """Write the report."""
+        study = self._study()
+        command = f"understudy experiment PROJECT {study.declared.name}"
+        text = markdown(self._found(), Files(study.path, path), command)
+        self._write({path: text.encode()})
+
+    def _found(self) -> Findings:
+        assert self._window.found is not None
+        return self._window.found
+
+    def _study(self) -> Study:
+        assert self._window.study is not None
+        return self._window.study
+
+    def _write(self, contents: dict[Path, bytes]) -> None:
+        self._window.background.do(
+            partial(_written, contents),
+            lambda names: self._window.studio.say(f"written: {names}"),
+            self._failed,
+        )
+
+    def _failed(self, error: UnderstudyError) -> None:
+        self._window.studio.warn(str(error))
+        self._window.told.setText(str(error))
+
+
+def _written(contents: dict[Path, bytes]) -> str:
+    """Write files; returns their names."""
+    for path, content in contents.items():
+        try:
+            path.write_bytes(content)
+        except OSError as error:
+            raise StorageError(f"{path}: cannot be written: {error.strerror or error}") from error
+    return ", ".join(str(path) for path in contents)

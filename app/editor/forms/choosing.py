@@ -1,0 +1,102 @@
+"""Choosing one of many by typing a part of its name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QComboBox, QCompleter, QLineEdit
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Something to choose.
+
+    Attributes:
+        value: What it stands for.
+        tip: What it is, in words.
+    """
+
+    name: str
+    value: object
+    tip: str = ""
+
+
+class Chooser(QComboBox):
+    """A list of choices that can be opened, or narrowed by typing any part of a name.
+
+    Attributes:
+        field: Where one types.
+
+    Signals:
+        chosen: By the user: the `Choice`, or None while what stands in the field names nothing.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, name: str, hint: str) -> None:
+        super().__init__()
+        self._choices: tuple[Choice, ...] = ()
+        self.setAccessibleName(name)
+        self.field = QLineEdit()
+        self.setEditable(True)
+        self.setLineEdit(self.field)
+        self.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+        self.setMaxVisibleItems(16)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(12)
+        self.field.setPlaceholderText(hint)
+        completer = QCompleter(self.model(), self)
+        self.setCompleter(completer)
+        completer.setFilterMode(Qt.MatchFlag.MatchContains)
+        completer.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
+        completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        self.activated.connect(self._activated)
+        completer.activated.connect(self._completed)
+        self.field.editingFinished.connect(self._typed)
+        self._shown = -1
+
+    def offer(self, choices: Iterable[Choice], chosen: object = None) -> None:
+        """Offer these; the one with the value *chosen* is shown, or none."""
+        offered = tuple(choices)
+        if offered != self._choices:
+            self._choices = offered
+            self.clear()
+            for at, choice in enumerate(offered):
+                self.addItem(choice.name)
+                self.setItemData(at, choice.tip, Qt.ItemDataRole.ToolTipRole)
+        self.show_value(chosen)
+
+    def show_value(self, value: object) -> None:
+        """Show the choice with this value, without telling anybody."""
+        at = next((k for k, choice in enumerate(self._choices) if choice.value == value), -1)
+        self.setCurrentIndex(at)
+        self._shown = at
+        if at < 0:
+            self.setEditText("")
+        tip = self._choices[at].tip if at >= 0 else ""
+        self.setToolTip(tip or self.field.placeholderText())
+
+    @property
+    def choice(self) -> Choice | None:
+        """What is chosen: what the field names."""
+        text = self.currentText().strip().casefold()
+        found = [choice for choice in self._choices if choice.name.casefold() == text]
+        return found[0] if found else None
+
+    def _completed(self, _text: object) -> None:
+        self._typed()
+
+    def _typed(self) -> None:
+        choice = self.choice
+        self._activated(-1 if choice is None else self._choices.index(choice))
+
+    def _activated(self, at: int) -> None:
+        if at == self._shown:
+            return
+        self._shown = at
+        if at >= 0 and self.currentIndex() != at:
+            self.setCurrentIndex(at)
+        self.setToolTip((self._choices[at].tip if at >= 0 else "") or self.field.placeholderText())
+        self.chosen.emit(self._choices[at] if at >= 0 else None)

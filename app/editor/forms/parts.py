@@ -1,0 +1,302 @@
+"""What the forms about behaviors are made of: words beside a field, ordered lists, slots to bind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QPlainTextEdit,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.features import Binding, Ground, Parameter
+from ...core.vocabulary import Target
+from ..icons import icon
+
+if TYPE_CHECKING:
+    from ..theme import Theme
+
+KEY = int(Qt.ItemDataRole.UserRole)
+
+
+class _Frame(QObject):
+    """Keeps the line around a field in the colors of the theme, as long as the field lives."""
+
+    def __init__(self, field: QWidget, kind: str, theme: Theme) -> None:
+        super().__init__(field)
+        self._field, self._kind, self._theme = field, kind, theme
+        theme.changed.connect(self._dress)
+        self._dress()
+
+    def _dress(self) -> None:
+        colors, kind = self._theme.palette, self._kind
+        self._field.setStyleSheet(
+            f"{kind} {{ background: {colors.raised}; border: 1px solid {colors.hairline}; border-radius: 6px; }}"
+            f"{kind}:focus {{ border-color: {colors.accent}; }}"
+        )
+
+
+def framed(field: QListWidget | QPlainTextEdit, theme: Theme) -> None:
+    """Draw a line around a list or a text, so that an empty one is seen as well."""
+    _Frame(field, "QListWidget" if isinstance(field, QListWidget) else "QPlainTextEdit", theme)
+
+
+class Complaint(QLabel):
+    """What is wrong with a field, in words beside it; nothing while nothing is."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self.setWordWrap(True)
+        self.hide()
+        theme.changed.connect(self._dress)
+        self._dress()
+
+    def say(self, message: str) -> None:
+        """Show a message; an empty one shows nothing."""
+        self.setText(message[:1].upper() + message[1:])
+        self.setVisible(bool(message))
+
+    def _dress(self) -> None:
+        self.setStyleSheet(f"color: {self._theme.palette.teach};")
+
+
+def caption(text: str) -> QLabel:
+    """Dim words that explain what stands near them."""
+    label = QLabel(text)
+    label.setProperty("role", "caption")
+    label.setWordWrap(True)
+    return label
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One entry of an ordered list.
+
+    Attributes:
+        fixed: It can neither be moved nor removed.
+    """
+
+    key: str
+    text: str
+    tip: str = ""
+    fixed: bool = False
+
+
+class OrderedList(QWidget):
+    """A list whose entries can be chosen, moved up and down, removed, and renamed if that is allowed.
+
+    Signals:
+        chosen: Another entry is current; its key, or an empty one.
+        moved: An entry was moved: its key and its new place.
+        removed: The user wants an entry to go; its key.
+        renamed: The user gave an entry another text: its key and the text.
+    """
+
+    chosen = Signal(str)
+    moved = Signal(str, int)
+    removed = Signal(str)
+    renamed = Signal(str, str)
+
+    def __init__(self, name: str, theme: Theme, *, editable: bool = False) -> None:
+        super().__init__()
+        self._theme = theme
+        self._items: tuple[Item, ...] = ()
+        self._editable = editable
+        self._filling = False
+        self.list = _List(self)
+        self.list.setAccessibleName(name)
+        self.list.setSpacing(1)
+        framed(self.list, theme)
+        self.list.currentItemChanged.connect(self._current_changed)
+        self.list.itemChanged.connect(self._item_changed)
+        self.up = self._button("arrow-up", f"Move up (Alt+Up): {name}", lambda: self.shift(-1))
+        self.down = self._button("arrow-down", f"Move down (Alt+Down): {name}", lambda: self.shift(1))
+        self.remove = self._button("delete-outline", f"Remove (Delete): {name}", self.take_out)
+        buttons = QHBoxLayout()
+        buttons.setSpacing(2)
+        for button in (self.up, self.down, self.remove):
+            buttons.addWidget(button)
+        buttons.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(self.list, 1)
+        column.addLayout(buttons)
+        theme.changed.connect(self._dress)
+        self._dress()
+
+    def _button(self, name: str, tip: str, do: object) -> QToolButton:
+        button = QToolButton()
+        button.setProperty("flat", "true")
+        button.setProperty("icon-name", name)
+        button.setToolTip(tip)
+        button.setAccessibleName(tip)
+        button.clicked.connect(do)
+        return button
+
+    def _dress(self) -> None:
+        for button in (self.up, self.down, self.remove):
+            button.setIcon(icon(str(button.property("icon-name")), self._theme))
+
+    def show_items(self, items: Iterable[Item], current: str = "") -> None:
+        """Show these entries; *current*, or else the one that was chosen, is the current one."""
+        shown = tuple(items)
+        wanted = current or self.current
+        if shown != self._items:
+            self._items = shown
+            self._filling = True
+            self.list.clear()
+            for item in shown:
+                entry = QListWidgetItem(item.text)
+                entry.setData(KEY, item.key)
+                entry.setToolTip(item.tip)
+                if self._editable and not item.fixed:
+                    entry.setFlags(entry.flags() | Qt.ItemFlag.ItemIsEditable)
+                self.list.addItem(entry)
+            self._filling = False
+        self.choose(wanted if any(item.key == wanted for item in shown) else shown[0].key if shown else "")
+
+    @property
+    def current(self) -> str:
+        """The key of the current entry; empty if there is none."""
+        return str(self.list.currentItem().data(KEY)) if self.list.currentRow() >= 0 else ""
+
+    def choose(self, key: str) -> None:
+        """Make an entry the current one."""
+        at = next((k for k, item in enumerate(self._items) if item.key == key), -1)
+        if at != self.list.currentRow():
+            self.list.setCurrentRow(at)
+        else:
+            self._current_changed()
+
+    def edit(self, key: str) -> None:
+        """Let the user type over an entry."""
+        self.choose(key)
+        self.list.setFocus()
+        self.list.editItem(self.list.currentItem())
+
+    def shift(self, steps: int) -> None:
+        """Move the current entry up or down."""
+        at = self.list.currentRow()
+        to = at + steps
+        there = 0 <= at < len(self._items) and 0 <= to < len(self._items)
+        if there and not (self._items[at].fixed or self._items[to].fixed):
+            self.moved.emit(self.current, to)
+
+    def take_out(self) -> None:
+        """Remove the current entry."""
+        at = self.list.currentRow()
+        if 0 <= at < len(self._items) and not self._items[at].fixed:
+            self.removed.emit(self.current)
+
+    def _current_changed(self) -> None:
+        if self._filling:
+            return
+        at = self.list.currentRow()
+        free = 0 <= at < len(self._items) and not self._items[at].fixed
+        self.remove.setEnabled(free)
+        self.up.setEnabled(free and at > 0 and not self._items[at - 1].fixed)
+        self.down.setEnabled(free and at < len(self._items) - 1)
+        self.chosen.emit(self.current)
+
+    def _item_changed(self, entry: QListWidgetItem) -> None:
+        if not self._filling:
+            self._typed_over(entry)
+
+    def _typed_over(self, entry: QListWidgetItem) -> None:
+        key = str(entry.data(KEY))
+        before = next(item.text for item in self._items if item.key == key)
+        if entry.text() != before:
+            new = entry.text()
+            self._filling = True
+            entry.setText(before)  # until whoever hears of it has done it
+            self._filling = False
+            self.renamed.emit(key, new)
+
+
+class _List(QListWidget):
+    """Alt with an arrow moves, Delete removes."""
+
+    def __init__(self, owner: OrderedList) -> None:
+        super().__init__(owner)
+        self._owner = owner
+        self.setEditTriggers(
+            QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.DoubleClicked
+        )
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """See above."""
+        alt = event.modifiers() == Qt.KeyboardModifier.AltModifier
+        if alt and event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
+            self._owner.shift(-1 if event.key() == Qt.Key.Key_Up else 1)
+        elif event.key() == Qt.Key.Key_Delete and self.state() != QAbstractItemView.State.EditingState:
+            self._owner.take_out()
+        else:
+            super().keyPressEvent(event)
+            return
+        event.accept()
+
+
+class SlotForm(QWidget):
+    """The slots of what a state holds or a feature senses, each bound to what exists.
+
+    Signals:
+        bound: The user bound a slot: its name and the binding.
+    """
+
+    bound = Signal(str, object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
+        self.boxes: dict[str, QComboBox] = {}
+        self._shown: object = None
+
+    def show_slots(
+        self,
+        slots: Sequence[str],
+        bindings: Mapping[str, Binding],
+        parameters: Sequence[str],
+        targets: Mapping[str, Target],
+    ) -> None:
+        """Show the slots with their bindings, and what they can be bound to."""
+        offered = tuple(slots), tuple(parameters), tuple(targets)
+        if offered != self._shown:
+            self._shown = offered
+            while self._form.rowCount():
+                self._form.removeRow(0)
+            self.boxes = {slot: self._box(slot, parameters, targets) for slot in slots}
+            for slot, box in self.boxes.items():
+                self._form.addRow(f"{slot} is", box)
+        for slot, box in self.boxes.items():
+            place = next((k for k in range(box.count()) if box.itemData(k) == bindings.get(slot)), -1)
+            box.setCurrentIndex(place)
+        self.setVisible(bool(slots))
+
+    def _box(self, slot: str, parameters: Sequence[str], targets: Mapping[str, Target]) -> QComboBox:
+        box = QComboBox()
+        box.setAccessibleName(f"What {slot} is")
+        box.setToolTip(f"What {slot!r} stands for: a target of the world, or a parameter of the behavior")
+        box.setPlaceholderText("choose a target")
+        for name in parameters:
+            box.addItem(f"parameter {name}", Parameter(name))
+        for name, target in targets.items():
+            box.addItem(name, Ground(name))
+            box.setItemData(box.count() - 1, target.doc, Qt.ItemDataRole.ToolTipRole)
+        box.activated.connect(lambda _, slot=slot, box=box: self.bound.emit(slot, box.currentData()))
+        return box

@@ -1,0 +1,1 @@
+"""The automaton that is shown, as a graph."""

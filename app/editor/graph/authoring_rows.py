@@ -1,0 +1,152 @@
+"""What can be done to the automaton on the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ..actions import ActionRow
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+    from .panel import GraphPanel
+    from .state_item import Path
+
+
+class _Able:
+    """What is possible with what is selected."""
+
+    def __init__(self, panel: GraphPanel) -> None:
+        self._panel = panel
+
+    def shows(self, _studio: Studio) -> bool:
+        return self._panel.root is not None
+
+    def has_state(self, _studio: Studio) -> bool:
+        return self._panel.scene.current is not None
+
+    def has_edge(self, _studio: Studio) -> bool:
+        return self._panel.scene.edge is not None
+
+    def has_any(self, studio: Studio) -> bool:
+        return self.has_state(studio) or self.has_edge(studio)
+
+    def has_prunes(self, _studio: Studio) -> bool:
+        edge = self._panel.scene.edge
+        return edge is not None and bool(self._panel.editing.prunes_of(edge))
+
+    def has_learned(self, _studio: Studio) -> bool:
+        level, path = self._panel.level_for_new(), self._panel.scene.current
+        return level is not None and path is not None and path[-1] in level.automaton.learned
+
+    def has_rules(self, _studio: Studio) -> bool:
+        level, path = self._panel.level_for_new(), self._panel.scene.current
+        return level is not None and path is not None and bool(level.automaton.rules_of(path[-1]))
+
+
+def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
+    """Changing the automaton."""
+    able = _Able(panel)
+
+    def with_state(act: Callable[[Path], object]) -> Callable[[Studio], object]:
+        return lambda _: None if panel.scene.current is None else act(panel.scene.current)
+
+    def add_rule(_studio: Studio) -> None:
+        if panel.scene.edge is not None:
+            level, source, target = panel.scene.edge
+            panel.link((*level, source), (*level, target))
+
+    def take_back(_studio: Studio) -> None:
+        if panel.scene.edge is not None:
+            panel.editing.take_back(panel.scene.edge)
+
+    def row(name: str, text: str, do: Callable[[Studio], object], tip: str, **more: Any) -> ActionRow:
+        return ActionRow(f"graph.{name}", text, "Behavior", do, "states", tip=tip, **more)
+
+    return (
+        row(
+            "add_state",
+            "Add a state…",
+            lambda _: panel.add_state_menu(),
+            "Choose what a new state holds; a behavior can also be dragged here from the library",
+            keys="Ctrl+Shift+A",
+            icon="plus-box-outline",
+            enabled=able.shows,
+        ),
+        row(
+            "link",
+            "Draw a transition",
+            lambda _: panel.begin_link(),
+            "From the selected state: choose where it leads with the arrow keys and Enter, or by a click",
+            keys="Ctrl+T",
+            icon="arrow-right-thin",
+            enabled=able.has_state,
+        ),
+        row(
+            "edit",
+            "Edit the state or transition",
+            lambda _: panel.edit(),
+            "Open the form of what is selected in the automaton graph; F2 does the same",
+            icon="pencil-outline",
+            enabled=able.has_any,
+        ),
+        row(
+            "add_rule",
+            "Add a rule to the transition",
+            add_rule,
+            "One more rule between the same states",
+            enabled=able.has_edge,
+        ),
+        row(
+            "author",
+            "Turn what the state learned into rules",
+            with_state(panel.editing.author),
+            "Rules that do what its decision tree does now",
+            enabled=able.has_learned,
+        ),
+        row(
+            "unauthor",
+            "Remove the rules of the state",
+            with_state(panel.editing.unauthor),
+            "What the state learned decides alone again",
+            enabled=able.has_rules,
+        ),
+        row(
+            "copy",
+            "Copy the states",
+            lambda _: panel.editing.copy(panel.scene.selected),
+            "With the transitions among them; Ctrl+C in the graph. Ctrl and a click select several",
+            icon="content-copy",
+            enabled=able.has_state,
+        ),
+        row(
+            "paste",
+            "Paste states",
+            lambda _: panel.paste(),
+            "Put copied states into the automaton; Ctrl+V in the graph",
+            icon="content-paste",
+            enabled=able.shows,
+        ),
+        row(
+            "duplicate",
+            "Duplicate the states",
+            lambda _: panel.duplicate(),
+            "Copies beside the selected states, with their transitions; Ctrl+D in the graph",
+            enabled=able.has_state,
+        ),
+        row(
+            "remove",
+            "Remove the state or transition",
+            lambda _: panel.remove(),
+            "Rules are removed, what was learned is pruned; Delete in the graph",
+            icon="delete-outline",
+            enabled=able.has_any,
+        ),
+        row(
+            "unprune",
+            "Take back the prunes of the transition",
+            take_back,
+            "What was learned may lead there again",
+            enabled=able.has_prunes,
+        ),
+    )

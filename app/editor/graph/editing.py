@@ -1,0 +1,257 @@
+"""What the hand does to the automaton on the graph, as undoable edits of the document."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ...core.automaton import START, Basic, Content, Nested, RaiseFlag
+from ...core.edits import (
+    add_prune,
+    add_rule,
+    add_state,
+    author_learned,
+    copy_states,
+    describe,
+    move_states,
+    remove_prune,
+    remove_rule,
+    remove_rules_of,
+    remove_state,
+)
+from ...core.errors import EditError, UnderstudyError
+from ...core.project import Position, Project
+from ...export.graph import Edge
+from . import clipboard
+from .level import Drawn
+from .scene import EdgeKey, GraphScene
+from .state_item import Path
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: How far copies stand from their originals.
+ASIDE = 40.0
+#: What one step does: project in, project and more out.
+Step = Callable[[Project], tuple[Project, Any]]
+
+
+class GraphEditing:
+    """Edits of the automata that are shown."""
+
+    def __init__(self, studio: Studio, scene: GraphScene) -> None:
+        self._studio = studio
+        self._scene = scene
+
+    def _push(self, text: str, step: Step) -> Any:
+        """Do several edits as one step; what is refused is told, and nothing is done."""
+        document = self._studio.document
+        try:
+            project, made = step(document.project)
+        except UnderstudyError as error:
+            self._studio.warn(str(error))
+            return None
+        document.push(text, project)
+        return made
+
+    # ---------------------------------------------------------------------------------------------- states
+
+    def add_state(self, level: Drawn, content: Content, at: Position | None = None) -> Path | None:
+        """Add a state, where it was dropped or where there is room; returns where it is."""
+        where = level.type, level.automaton.id
+
+        def step(project: Project) -> tuple[Project, str]:
+            project, state = add_state(project, *where, content)
+            if at is not None:
+                project = move_states(project, *where, {**level.base, state: at})
+            return project, state
+
+        text = describe(add_state, self._studio.document.project, *where, content)
+        made = self._push(text, step)
+        return None if made is None else (*level.path, made)
+
+    def dropped(self, level: Drawn, data: bytes, at: Position) -> Path | None:
+        """Add a state for what was dragged from the library."""
+        content = self._content(level, data)
+        return None if content is None else self.add_state(level, content, at)
+
+    def _content(self, level: Drawn, data: bytes) -> Content | None:
+        try:
+            dragged = json.loads(data)
+            kind, automaton = str(dragged["type"]), str(dragged.get("id", ""))
+            basic = str(dragged.get("basic") or dragged.get("name") or "")
+        except (ValueError, KeyError, TypeError, AttributeError):
+            return None
+        if kind != level.type and automaton:
+            held = self._studio.document.automaton(kind, automaton)
+            basic, automaton = (held.name if held is not None else basic), ""
+        if automaton:
+            return Nested(automaton)
+        known = self._studio.document.vocabulary(level.type).behaviors
+        if basic in known:
+            return Basic(basic)
+        self._studio.warn(
+            f"{level.automaton.name} is of type {level.type!r}, whose states cannot hold {basic!r} of type {kind!r}; "
+            f"they hold behaviors of their own type, or of what all their subsidiaries share"
+        )
+        return None
+
+    def remove(self, states: Sequence[Path], edge: EdgeKey | None) -> None:
+        """Remove states with their transitions, or what makes up an edge: its rules go, what was learned is pruned."""
+        if edge is not None:
+            self.remove_edge(edge)
+            return
+        doomed = [path for path in states if path[-1] != START]
+        if not doomed:
+            if states:
+                self._studio.warn("Start cannot be removed; every automaton begins in it")
+            return
+        project = self._studio.document.project
+        first = self._where(doomed[0])
+        text = describe(remove_state, project, *first, doomed[0][-1])
+
+        def step(project: Project) -> tuple[Project, None]:
+            for path in doomed:
+                project = remove_state(project, *self._where(path), path[-1])
+            return project, None
+
+        self._push(text if len(doomed) == 1 else f"Remove {len(doomed)} states", step)
+
+    def _where(self, path: Path) -> tuple[str, str]:
+        level = self._scene.levels[path[:-1]]
+        return level.type, level.automaton.id
+
+    # ----------------------------------------------------------------------------------------- transitions
+
+    def link(self, source: Path, target: Path) -> EdgeKey | None:
+        """A new rule from a state to a state; returns its edge."""
+        if source[:-1] != target[:-1]:
+            return None
+        if not self._studio.document.attempt(add_rule, *self._where(source), source[-1], target[-1]):
+            return None
+        return source[:-1], source[-1], target[-1]
+
+    def remove_edge(self, key: EdgeKey) -> None:
+        """Remove the rules of an edge and prune what was learned, in one step."""
+        level, edge = self._scene.levels[key[0]], self._edge(key)
+        if edge is None:
+            return
+        where = level.type, level.automaton.id
+
+        def step(project: Project) -> tuple[Project, None]:
+            for way in edge.rules:
+                project = remove_rule(project, *where, way.id)
+            if self._is_learned(edge):
+                project, _ = add_prune(project, *where, edge.source, [edge.target])
+            return project, None
+
+        names = [self._name(level, state) for state in (edge.source, edge.target)]
+        verb = "Prune" if self._is_learned(edge) and not edge.rules else "Remove"
+        self._push(f"{verb} the transition {names[0]} → {names[1]} of {level.automaton.name}", step)
+
+    def _edge(self, key: EdgeKey) -> Edge | None:
+        return self._scene.levels[key[0]].edges.get(key[1:]) if key[0] in self._scene.levels else None
+
+    def _is_learned(self, edge: Edge) -> bool:
+        return edge.support > 0.0 and not edge.is_pruned
+
+    def _name(self, level: Drawn, state: str) -> str:
+        return next((found.name for found in level.graph.states if found.id == state), state)
+
+    def prunes_of(self, key: EdgeKey) -> tuple[str, ...]:
+        """Ids of the prunes that forbid something of an edge."""
+        edge = self._edge(key)
+        ways = edge.ways if edge is not None else ()
+        return tuple(dict.fromkeys(prune for way in ways for prune in way.prunes))
+
+    def take_back(self, key: EdgeKey) -> None:
+        """Take back the prunes of an edge."""
+        level, ids = self._scene.levels[key[0]], self.prunes_of(key)
+
+        def step(project: Project) -> tuple[Project, None]:
+            for prune in ids:
+                project = remove_prune(project, level.type, level.automaton.id, prune)
+            return project, None
+
+        if ids:
+            names = [self._name(level, state) for state in key[1:]]
+            self._push(f"Take back the prunes of {names[0]} → {names[1]} of {level.automaton.name}", step)
+
+    # ----------------------------------------------------------------------------------- learned and authored
+
+    def author(self, path: Path) -> None:
+        """Turn what a state learned into rules."""
+        self._studio.document.attempt(author_learned, *self._where(path), path[-1])
+
+    def unauthor(self, path: Path) -> None:
+        """Let what a state learned decide alone again."""
+        self._studio.document.attempt(remove_rules_of, *self._where(path), path[-1])
+
+    # ---------------------------------------------------------------------------------------------- copying
+
+    def copy(self, states: Sequence[Path]) -> bool:
+        """Put states into the clipboard: those of one automaton."""
+        if not states:
+            return False
+        level = self._scene.levels[states[-1][:-1]]
+        ids = tuple(path[-1] for path in states if path[:-1] == level.path)
+        names = ", ".join(self._name(level, state) for state in ids)
+        clipboard.put(clipboard.CopiedStates(level.type, level.automaton.id, ids), names)
+        return True
+
+    def paste(self, level: Drawn) -> list[Path]:
+        """Copies of the states in the clipboard, with the transitions among them; returns where they are."""
+        copied = clipboard.there()
+        if copied is None:
+            self._studio.warn("there are no states in the clipboard: select some and copy them first")
+            return []
+        return self._copies((copied.type, copied.automaton), copied.states, level)
+
+    def duplicate(self, states: Sequence[Path]) -> list[Path]:
+        """Copies of states beside them, with their transitions."""
+        if not states:
+            return []
+        level = self._scene.levels[states[-1][:-1]]
+        ids = [path[-1] for path in states if path[:-1] == level.path and path[-1] != START]
+        return self._copies((level.type, level.automaton.id), ids, level)
+
+    def _copies(self, source: tuple[str, str], ids: Sequence[str], level: Drawn) -> list[Path]:
+        where = level.type, level.automaton.id
+
+        def step(project: Project) -> tuple[Project, Mapping[str, str]]:
+            if source[0] != where[0]:
+                _refuse_foreign(project, source, ids, self._studio.document.vocabulary(where[0]).behaviors)
+            project, made = copy_states(project, source, ids, where)
+            if source == where:
+                places = {new: _aside(level.base[old]) for old, new in made.items() if old in level.base}
+                project = move_states(project, *where, {**level.base, **places})
+            return project, made
+
+        if not ids:
+            self._studio.warn("Start cannot be copied; there is one in every automaton")
+            return []
+        many = "a state" if len(ids) == 1 else f"{len(ids)} states"
+        made = self._push(f"Copy {many} into {level.automaton.name}", step)
+        return [(*level.path, new) for new in made.values()] if made else []
+
+
+def _aside(at: Position) -> Position:
+    return at[0] + ASIDE, at[1] + ASIDE
+
+
+def _refuse_foreign(
+    project: Project, source: tuple[str, str], ids: Sequence[str], behaviors: Mapping[str, object]
+) -> None:
+    """Raise an `EditError` if states of another type hold what this type does not have."""
+    automaton = project.library(source[0]).automata.get(source[1])
+    for state in automaton.states if automaton is not None else ():
+        content = state.content
+        fits = isinstance(content, RaiseFlag) or (
+            isinstance(content, Basic) and content.behavior in behaviors
+        )
+        if state.id in ids and not fits and state.id != START:
+            raise EditError(
+                f"state {state.id!r} was copied from type {source[0]!r} and holds what this type does not have; "
+                f"between types, states that hold shared basic behaviors or flags can be copied"
+            )

@@ -1,0 +1,111 @@
+"""The form below the graph: of the state or the transition that is selected."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+
+from ...export.graph import Edge, WayKind, way_words
+from .rule_form import Place, RuleForm
+from .scoping import Scoping
+from .state_form import StateForm
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+HIGHEST, LOWEST = 230, 150
+MOST_TOLD = 3
+
+
+class FormStrip(QFrame):
+    """Shows the form of what is selected, while it is open.
+
+    Attributes:
+        rules, state: The two forms.
+
+    Signals:
+        closed: The user is done with it.
+    """
+
+    closed = Signal()
+
+    def __init__(self, studio: Studio, scoping: Scoping) -> None:
+        super().__init__()
+        self.rules = RuleForm(studio, scoping)
+        self.state = StateForm(studio, scoping)
+        self._stack = QStackedWidget()
+        self._areas = [_scrolled(form) for form in (self.rules, self.state)]
+        for area in self._areas:
+            self._stack.addWidget(area)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        line = QFrame()
+        line.setProperty("role", "hairline")
+        line.setFixedHeight(1)
+        column.addWidget(line)
+        column.addWidget(self._stack)
+        self._close = QToolButton(self)
+        self._close.setText("✕")
+        self._close.setProperty("flat", "true")
+        self._close.setToolTip("Close the form (Esc)")
+        self._close.setAccessibleName("Close the form")
+        self._close.clicked.connect(self.closed)
+        self.setMaximumHeight(HIGHEST)
+        self.setMinimumHeight(LOWEST)
+        self.hide()
+
+    def show_edge(self, place: Place, edge: Edge | None) -> None:
+        """Show the rules between two states, and what was learned."""
+        ways = [way for way in (edge.ways if edge is not None else ()) if way.kind is not WayKind.RULE]
+        told = "; ".join(way_words(way) for way in ways[:MOST_TOLD])
+        more = len(ways) - MOST_TOLD + (edge.more if edge is not None else 0)
+        learned = f"Learned: {told}{f'; and {more} more' if more > 0 else ''}." if told else ""
+        self.rules.show_place(place, learned)
+        self._stack.setCurrentIndex(0)
+
+    def show_state(self, place: tuple[str, str, str]) -> None:
+        """Show a state."""
+        self.state.show_place(place)
+        self._stack.setCurrentIndex(1)
+
+    def focus_first(self) -> None:
+        """Put the keyboard into the form."""
+        form: QWidget = self.rules if self._stack.currentIndex() == 0 else self.state
+        fields = [child for child in form.findChildren(QWidget) if _takes_keys(child)]
+        if fields:
+            fields[0].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the button in its corner."""
+        super().resizeEvent(event)
+        self._close.adjustSize()
+        self._close.move(self.width() - self._close.width() - 14, 4)
+        self._close.raise_()
+
+    def event(self, event: QEvent) -> bool:
+        """Escape closes the form, and nothing else."""
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() is QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if event.type() is QEvent.Type.KeyPress:
+                self.closed.emit()
+                return True
+        return super().event(event)
+
+
+def _scrolled(form: QWidget) -> QScrollArea:
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(form)
+    return area
+
+
+def _takes_keys(child: QWidget) -> bool:
+    tabbed = child.focusPolicy() & Qt.FocusPolicy.TabFocus
+    return bool(tabbed) and child.isVisible() and child.isEnabled() and not isinstance(child, QToolButton)

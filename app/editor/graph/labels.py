@@ -1,0 +1,52 @@
+"""What stands at an edge, and what its tool tip says."""
+
+from dataclasses import dataclass
+from html import escape
+
+from ...core.automaton import Automaton
+from ...core.phrasing import number
+from ...export.graph import Edge, Way, WayKind, formal_words, way_words
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Two lines: when, and how sure."""
+
+    when: str
+    how: str
+
+
+def label_of(edge: Edge) -> Label:
+    """What stands at an edge: its first way that can be gone, and how many more there are."""
+    ways = sorted(edge.ways, key=lambda way: not way.is_open)
+    first, others = ways[0], len(ways) - 1 + edge.more
+    more = f", or {others} more" if others else ""
+    return Label(first.words + more, _how(edge, first, many=others > 0))
+
+
+def _how(edge: Edge, first: Way, *, many: bool) -> str:
+    if first.kind is WayKind.RULE:
+        orders = [str(way.order) for way in edge.rules]
+        rules = f"rule{'s' if len(orders) > 1 else ''} {', '.join(orders)}"
+        learned = f" · {number(edge.support)} examples" if edge.support else ""
+        return rules + (" · never reached" if first.shadowed else "") + learned
+    if first.prunes:
+        return "pruned"
+    if many:
+        return f"{number(edge.support)} example{'' if edge.support == 1.0 else 's'}"
+    p = f"{first.probability:.1f}" if first.probability in (0.0, 1.0) else number(first.probability, 2)
+    ending = " · rules decide" if first.shadowed else f" · p {p}"
+    return f"{number(first.support)} of {number(first.total)}{ending}"
+
+
+def tip_of(edge: Edge, automaton: Automaton, names: tuple[str, str]) -> str:
+    """All ways of an edge, each with its tests and their numbers."""
+    lines = [f"<b>{escape(names[0])} → {escape(names[1])}</b>"]
+    for way in edge.ways:
+        lines.append(escape(way_words(way)))
+        tests = " and ".join(formal_words(condition, automaton) for condition in way.guard)
+        if tests:
+            lines.append(f"<small>{escape(tests)}</small>")
+    if edge.more:
+        lines.append(f"and {edge.more} more ways that fewer examples speak for")
+    return "<br>".join(lines)

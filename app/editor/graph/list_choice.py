@@ -1,0 +1,35 @@
+"""A list to choose from that changes only when something is chosen: keys and the wheel do not step through it."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QWheelEvent
+from PySide6.QtWidgets import QComboBox
+
+STEPS = (
+    Qt.Key.Key_Up,
+    Qt.Key.Key_Down,
+    Qt.Key.Key_PageUp,
+    Qt.Key.Key_PageDown,
+    Qt.Key.Key_Return,
+    Qt.Key.Key_Enter,
+)
+
+
+class ListChoice(QComboBox):
+    """Opens on the keys that would otherwise choose one thing after the other, each a step to undo."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMaxVisibleItems(18)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Open the list; letters are for finding something in it."""
+        if event.key() in STEPS or event.text().strip():
+            self.showPopup()
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """The wheel scrolls the form."""
+        event.ignore()

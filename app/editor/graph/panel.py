@@ -1,0 +1,436 @@
+"""The automaton that is shown, as a graph."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from html import escape
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QStackedLayout, QToolButton, QVBoxLayout, QWidget
+
+from ...core.automaton import Content
+from ...core.check.problem import Problem
+from ...core.edits import move_states
+from ...core.project import Position
+from ..selection import BehaviorKey
+from . import offers
+from .arrangement import Point
+from .drafts import Drafts
+from .editing import GraphEditing
+from .form_strip import FormStrip
+from .laying_out import LayingOut
+from .level import Drawn
+from .live import path_of
+from .menus import add_menu, context_menu
+from .problems import Spot, problems_of, spots, worst
+from .rows import graph_rows
+from .scene import EdgeKey, GraphScene
+from .scoping import Scoping
+from .state_item import Path
+from .trail import Trail
+from .view import GraphView
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Milliseconds between two looks at what the nodes do.
+LIVE = 33
+NOTHING = "Choose a behavior in the library to see its states."
+HINT = "Drop a behavior here to add a state. Drag from a state's handle to draw a transition."
+LINKING = "Choose where the transition leads: a click, or arrow keys and Enter. Esc gives up."
+EMPTY = "No states yet. Teach it, drop a behavior here, or use Add state in the context menu."
+
+
+class GraphPanel(QWidget):
+    """The automaton that is shown, as a graph.
+
+    Attributes:
+        root: The automaton that is drawn; automata inside may be open in place.
+        scene: Its states and edges.
+        view: What they are seen through.
+        menu: The context menu that was opened last.
+
+    Signals:
+        title_changed: The dock is to be called otherwise.
+        refreshed: What is shown is up to date.
+    """
+
+    title_changed = Signal(str)
+    refreshed = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self.studio = studio
+        self.scoping = Scoping(studio.document)
+        self.root: BehaviorKey | None = None
+        self._way: list[BehaviorKey] = []
+        self._open: set[Path] = set()
+        self._checked: dict[Path, tuple[tuple[object, ...], Mapping[Spot, list[Problem]]]] = {}
+        self.menu: QMenu | None = None
+        self._selecting = self._entering = False
+        self.laying_out = LayingOut()
+        self._drafts = Drafts(studio.document, self.laying_out)
+        self.scene = GraphScene(studio.theme, studio.colors)
+        self.view = GraphView(self.scene, studio.theme)
+        self.editing = GraphEditing(studio, self.scene)
+        self.form = FormStrip(studio, self.scoping)
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self.refresh)
+        self._live = QTimer(self, interval=LIVE, singleShot=True)
+        self._live.timeout.connect(self._follow)
+        studio.actions.add(graph_rows(self))
+        self._build()
+        self._connect()
+        self._behavior_changed()
+
+    def _build(self) -> None:
+        self._trail = Trail()
+        top = QHBoxLayout()
+        top.setContentsMargins(8, 0, 8, 0)
+        top.setSpacing(2)
+        top.addWidget(self._trail, 1)
+        self._buttons: dict[str, QToolButton] = {}
+        for action in ("graph.zoom_in", "graph.zoom_out", "graph.fit", "graph.arrange"):
+            button = QToolButton()
+            button.setProperty("flat", "true")
+            button.setDefaultAction(self.studio.actions[action])
+            button.setAccessibleName(self.studio.actions.rows[action].text)
+            top.addWidget(button)
+            self._buttons[action] = button
+        self._hint = QLabel(HINT)
+        self._hint.setProperty("role", "caption")
+        self._hint.setWordWrap(True)
+        self._hint.setContentsMargins(10, 0, 10, 6)
+        self._empty = QLabel(NOTHING)
+        self._empty.setProperty("role", "empty")
+        self._empty.setWordWrap(True)
+        self._empty.setContentsMargins(10, 10, 10, 10)
+        shown = QWidget()
+        column = QVBoxLayout(shown)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(top)
+        column.addWidget(self.view, 1)
+        column.addWidget(self._hint)
+        column.addWidget(self.form)
+        self._pages = QStackedLayout(self)
+        self._pages.addWidget(self._empty)
+        self._pages.addWidget(shown)
+        self.setFocusProxy(self.view)
+
+    def _connect(self) -> None:
+        studio = self.studio
+        studio.opened.connect(self._opened)
+        studio.document.project_changed.connect(lambda *_: self.touch())
+        studio.colors.changed.connect(self.touch)
+        studio.theme.changed.connect(self.touch)
+        studio.selection.behavior_changed.connect(self._behavior_changed)
+        studio.selection.state_changed.connect(self._state_changed)
+        studio.selection.nodes_changed.connect(self._live_soon)
+        studio.bridge.snapshot_changed.connect(self._live_soon)
+        self.laying_out.arranged.connect(self.touch)
+        self.laying_out.told.connect(studio.warn)
+        self.scene.marked.connect(self._marked)
+        self.view.opened.connect(self.open_state)
+        self.view.toggled.connect(self.toggle)
+        self.view.back.connect(self.go_back)
+        self.view.linked.connect(self.link)
+        self.view.edited.connect(self.edit)
+        self.view.removed.connect(self.remove)
+        self.view.dropped.connect(self._dropped)
+        self.view.menu_wanted.connect(self._menu)
+        self.form.closed.connect(self.close_form)
+        self.view.clipped.connect(lambda what: self.studio.actions[f"graph.{what}"].trigger())
+        self.view.cancelled.connect(lambda: self._hint.setText(HINT))
+        self.view.moved.connect(self.move_state)
+        self.view.nudged.connect(lambda path, by: self.move_state(path, by, gesture="nudge"))
+        self._trail.chosen.connect(self.go_back)
+
+    # ------------------------------------------------------------------------------------------- what is shown
+
+    def touch(self, _what: object = None) -> None:
+        """Something that is shown has changed."""
+        if self.isVisible():
+            self._soon.start()
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether something that has changed is not shown yet."""
+        return self._soon.isActive()
+
+    def refresh(self) -> None:
+        """Show everything as it is now."""
+        drawn = None if self.root is None else self._drafts.drawn(self.root, self._open)
+        self.view.forget()
+        self.scene.build(drawn)
+        self._pages.setCurrentIndex(0 if drawn is None else 1)
+        self._hint.setText(EMPTY if drawn is not None and len(drawn.graph.states) < 2 else HINT)
+        self._show_trail()
+        self._state_changed()
+        self._show_problems()
+        self._show_form()
+        self._follow()
+        self.view.changed()
+        self.studio.touch()
+        self.refreshed.emit()
+
+    def _show_trail(self) -> None:
+        keys = [*self._way, *([self.root] if self.root else [])]
+        found = [(key, self.studio.document.automaton(key.type, key.id)) for key in keys]
+        self._trail.show_way([(key, automaton.name) for key, automaton in found if automaton is not None])
+        self.title_changed.emit(f"Automaton · {found[-1][1].name}" if found and found[-1][1] else "Automaton")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what happened meanwhile."""
+        super().showEvent(event)
+        if self.root is not None:
+            self.laying_out.warm_up()
+        self._soon.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nobody looks: Graphviz is not needed."""
+        super().hideEvent(event)
+        self._soon.stop()
+        self._live.stop()
+        self.laying_out.close()
+
+    def _opened(self) -> None:
+        self._drafts.forget()
+        self._open.clear()
+        self._way.clear()
+        self.scene.selected = ()
+        self._behavior_changed()
+
+    # ---------------------------------------------------------------------------------------------- selection
+
+    def _behavior_changed(self) -> None:
+        key = self.studio.selection.behavior
+        if self._selecting or key == self.root:
+            return
+        if key in self._way:
+            del self._way[self._way.index(key) :]
+        elif self.root is not None and not self._entering:
+            self._way.clear()
+        self.root = key
+        self._open.clear()
+        self.view.is_fitted = True
+        self.touch()
+
+    def _state_changed(self) -> None:
+        selection = self.studio.selection
+        if self._selecting or selection.behavior is None:
+            return
+        key = selection.behavior
+        current = self.scene.current
+        if current is not None and self._key_of(current) == (key, selection.state):
+            return
+        if self.scene.edge is not None:
+            return
+        found = self.scene.find(key.type, key.id, selection.state)
+        self.scene.mark([found] if found is not None else [])
+
+    def _marked(self) -> None:
+        """What was selected here is what all panels show."""
+        path = self.scene.current
+        edge = self.scene.edge
+        if edge is not None:
+            path = (*edge[0], edge[1])
+        if path is None:
+            self.close_form()
+            return
+        key, state = self._key_of(path)
+        self._selecting = True
+        try:
+            self.studio.selection.select_behavior(key, state)
+        finally:
+            self._selecting = False
+        self._show_form()
+        self.studio.touch()
+
+    def _key_of(self, path: Path) -> tuple[BehaviorKey, str]:
+        level = self.scene.levels[path[:-1]]
+        return BehaviorKey(level.type, level.automaton.id), path[-1]
+
+    # ----------------------------------------------------------------------------------------------- going in
+
+    def open_state(self, path: Path) -> None:
+        """Show the automaton that a state holds, with the way back."""
+        item = self.scene.states.get(path)
+        if item is None or not item.state.nested or self.root is None:
+            return
+        way = [*self._way, self.root]
+        self._entering = True
+        try:
+            self.studio.selection.select_behavior(BehaviorKey(self.root.type, item.state.nested))
+            self._way = way
+        finally:
+            self._entering = False
+        self.refresh()
+
+    def go_back(self, key: BehaviorKey | None = None) -> None:
+        """Show again what was shown before, or a certain one on the way here."""
+        if self._way:
+            self.studio.selection.select_behavior(key or self._way[-1])
+
+    def toggle(self, path: Path | None = None) -> None:
+        """Open or close a state in place."""
+        path = path or self.scene.current
+        if path is None or path not in self.scene.states or not self.scene.states[path].state.nested:
+            return
+        if path in self._open:
+            self._open = {other for other in self._open if other[: len(path)] != path}
+        else:
+            self._open.add(path)
+        self.refresh()
+
+    # ------------------------------------------------------------------------------------------------ moving
+
+    def move_state(self, path: Path, by: Point, gesture: str = "") -> None:
+        """Let a state stand elsewhere; the others of its automaton stay where they are from now on."""
+        self.view.is_fitted = False  # what was moved stays under the pointer
+        level = self.scene.levels[path[:-1]]
+        x, y = level.base[path[-1]]
+        places = {**level.base, path[-1]: (x + by[0], y + by[1])}
+        self.studio.document.attempt(
+            move_states, level.type, level.automaton.id, places, gesture=gesture and f"{gesture} {path}"
+        )
+
+    # ----------------------------------------------------------------------------------------------- editing
+
+    def level_for_new(self) -> Drawn | None:
+        """The automaton that a new state comes into: the one of what is selected, or the one that is shown."""
+        path = self.scene.current or (self.scene.edge[0] if self.scene.edge is not None else ())
+        return self.scene.levels.get(path[:-1]) or self.scene.levels.get(())
+
+    def add_state(self, content: Content, at: Position | None = None) -> None:
+        """Add a state, and ask for what it leaves open."""
+        level = self.level_for_new() if at is None else self.scene.levels.get(())
+        if level is not None:
+            self._added(self.editing.add_state(level, content, at))
+
+    def _dropped(self, data: bytes, at: QPointF) -> None:
+        level, place = self.scene.level_at(at)
+        if level is not None:
+            self.view.is_fitted = False  # what was dropped stays under the pointer
+            self._added(self.editing.dropped(level, data, place))
+
+    def _added(self, path: Path | None) -> None:
+        if path is None:
+            return
+        self.refresh()
+        self.scene.mark([path])
+        scope = self.scoping.scope(self.scene.levels[path[:-1]].type)
+        if scope is not None and offers.slots_of(self.scene.states[path].state.content, scope):
+            self.edit()
+
+    def link(self, source: Path, target: Path) -> None:
+        """A new rule from a state to a state, to be said when."""
+        edge = self.editing.link(source, target)
+        if edge is not None:
+            self.refresh()
+            self.scene.mark((), edge)
+            self.edit()
+
+    def edit(self) -> None:
+        """Open the form of what is selected."""
+        if self.scene.current is not None or self.scene.edge is not None:
+            self.form.show()
+            self._hint.hide()
+            self._show_form()
+            self.form.focus_first()
+
+    def close_form(self) -> None:
+        """No form."""
+        if self.form.isVisible():
+            self.form.hide()
+            self._hint.show()
+            self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _show_form(self) -> None:
+        if not self.form.isVisibleTo(self):
+            return
+        edge, path = self.scene.edge, self.scene.current
+        if edge is not None:
+            level = self.scene.levels[edge[0]]
+            self.form.show_edge((level.type, level.automaton.id, *edge[1:]), level.edges.get(edge[1:]))
+        elif path is not None:
+            key, state = self._key_of(path)
+            self.form.show_state((key.type, key.id, state))
+        else:
+            self.close_form()
+
+    def begin_link(self) -> None:
+        """From the selected state, choosing another one draws a transition to it."""
+        self.view.begin_link()
+        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._hint.setText(LINKING)
+
+    def remove(self) -> None:
+        """Remove what is selected."""
+        self.editing.remove(self.scene.selected, self.scene.edge)
+
+    def paste(self) -> None:
+        """Put in copies of the states in the clipboard."""
+        level = self.level_for_new()
+        if level is not None:
+            self._select(self.editing.paste(level))
+
+    def duplicate(self) -> None:
+        """Copy the selected states to beside them."""
+        self._select(self.editing.duplicate(self.scene.selected))
+
+    def _select(self, paths: list[Path]) -> None:
+        if paths:
+            self.refresh()
+            self.scene.mark(paths)
+
+    def add_state_menu(self) -> None:
+        """Offer all that a new state can hold."""
+        corner = self.view.mapToGlobal(self.view.rect().center())
+        self.menu = add_menu(self)
+        self.menu.popup(corner)
+
+    def _menu(self, at: QPoint) -> None:
+        self.studio.touch()
+        place = self.view.mapToScene(self.view.viewport().mapFromGlobal(at)).toTuple()
+        self.menu = context_menu(self, place)
+        self.menu.popup(at)
+
+    def _show_problems(self) -> None:
+        states: dict[Path, str] = {}
+        edges: dict[EdgeKey, str] = {}
+        for path, level in self.scene.levels.items():
+            for spot, found in self._problems(level).items():
+                told = "\n".join(problem.message for problem in found)
+                if len(spot) == 1 and (*path, *spot) in self.scene.states:
+                    states[*path, *spot] = worst(found)
+                    self.scene.states[*path, *spot].setToolTip(told)
+                elif (path, *spot) in self.scene.edges:
+                    edges[path, spot[0], spot[-1]] = worst(found)
+                    line = self.scene.edges[path, spot[0], spot[-1]]
+                    line.setToolTip(f"{line.toolTip()}<br>{escape(told)}")
+        self.scene.show_problems(states, edges)
+
+    def _problems(self, level: Drawn) -> Mapping[Spot, list[Problem]]:
+        scope = self.scoping.scope(level.type)
+        if scope is None:
+            return {}
+        examples = self.studio.document.project.examples_of(level.type, level.automaton.id)
+        made_of = scope, level.automaton, examples
+        kept = self._checked.get(level.path)
+        if kept is None or not all(a is b for a, b in zip(kept[0], made_of, strict=True)):
+            found = problems_of(scope, level.automaton, examples)
+            kept = self._checked[level.path] = made_of, spots(level.automaton, found)
+        return kept[1]
+
+    # -------------------------------------------------------------------------------------------------- live
+
+    def _live_soon(self, _snapshot: object = None) -> None:
+        if self.isVisible() and not self._live.isActive():
+            self._live.start()
+
+    def _follow(self) -> None:
+        snapshot = self.studio.snapshot
+        self.scene.follow(snapshot, path_of(snapshot, self.studio.selection.node))

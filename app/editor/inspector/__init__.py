@@ -1,0 +1,1 @@
+"""What the selected node does and why."""

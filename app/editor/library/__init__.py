@@ -1,0 +1,1 @@
+"""The behaviors, by type and kind."""

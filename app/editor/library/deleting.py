@@ -1,0 +1,97 @@
+"""Deleting a behavior: at once if nobody uses it, otherwise with a replacement for those who do."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QListWidget,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.edits import delete_automaton, users
+from ...core.vocabulary import BasicBehavior
+from ..forms.choosing import Choice, Chooser
+from ..forms.parts import framed
+from ..selection import BehaviorKey
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+
+def delete_behavior(studio: Studio, parent: QWidget) -> None:
+    """Delete the behavior that is shown; ask for a replacement if something uses it."""
+    shown = studio.selection.behavior
+    if shown is None:
+        return
+    if users(studio.document.project, shown.type, shown.id):
+        ReplaceDialog(studio, shown, parent).open()
+    else:
+        studio.document.attempt(delete_automaton, shown.type, shown.id)
+
+
+class ReplaceDialog(QDialog):
+    """Names the users of a behavior, and lets the user choose what they use from now on.
+
+    Attributes:
+        chooser: The replacement.
+        delete: Replaces and deletes.
+    """
+
+    def __init__(self, studio: Studio, behavior: BehaviorKey, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._studio = studio
+        self._behavior = behavior
+        document = studio.document
+        doomed = document.project.library(behavior.type).get(behavior.id)
+        self.setWindowTitle(f"Delete {doomed.name}")
+        using = users(document.project, behavior.type, behavior.id)
+        words = QLabel(
+            f"{doomed.name} is used. Choose what these use instead, or close and change them first."
+        )
+        words.setWordWrap(True)
+        listed = QListWidget()
+        listed.setAccessibleName(f"Who uses {doomed.name}")
+        listed.addItems(using)
+        listed.setMaximumHeight(160)
+        framed(listed, studio.theme)
+        self.chooser = Chooser("Replacement", "choose a replacement")
+        self.chooser.offer(self._choices())
+        self.chooser.chosen.connect(lambda _: self.delete.setEnabled(self.chooser.choice is not None))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.delete: QPushButton = buttons.addButton(
+            "Replace and delete", QDialogButtonBox.ButtonRole.AcceptRole
+        )
+        self.delete.setEnabled(False)
+        buttons.accepted.connect(self._accept)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.setSpacing(8)
+        for part in (words, listed, self.chooser, buttons):
+            column.addWidget(part)
+        self.resize(420, 260)
+
+    def _choices(self) -> list[Choice]:
+        document, of = self._studio.document, self._behavior
+        automata = document.project.library(of.type).automata.values()
+        choices = [Choice(a.name, a.id, "automaton") for a in automata if a.id != of.id]
+        basics = document.vocabulary(of.type).behaviors.values()
+        return choices + [Choice(basic.name, basic, basic.doc) for basic in basics]
+
+    def _accept(self) -> None:
+        choice = self.chooser.choice
+        if choice is None:
+            return
+        replacement = choice.value
+        assert isinstance(replacement, str | BasicBehavior)
+        if self._studio.document.attempt(
+            delete_automaton, self._behavior.type, self._behavior.id, replacement=replacement
+        ):
+            self.accept()

@@ -1,0 +1,141 @@
+"""The dialog that makes a new behavior: all of it at once, kept on OK as one step."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
+
+from ...core.edits import add_automaton, describe, rename_automaton
+from ...core.errors import UnderstudyError
+from ...core.naming import fresh_name
+from ..forms.parts import Complaint
+from ..selection import BehaviorKey
+from .editing import DraftEditing
+from .features_page import FeaturesPage
+from .general_page import GeneralPage
+from .learner_page import LearnerPage
+from .states_page import StatesPage
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+UNNAMED = "Behavior"
+
+
+def new_automaton(studio: Studio, parent: QWidget, type_name: str = "") -> None:
+    """Ask for a new behavior, of the type of the one that is shown unless another is named."""
+    shown = studio.selection.behavior
+    types = [node_type.name for node_type in studio.document.project.types]
+    if not types:
+        studio.warn(
+            "a behavior belongs to a node type, and this project has none; add one in Arms and worlds"
+        )
+        return
+    wanted = type_name or (shown.type if shown is not None else types[0])
+    NewAutomatonDialog(studio, wanted if wanted in types else types[0], parent).open()
+
+
+class NewAutomatonDialog(QDialog):
+    """Name, parameters, states, features and learner of a behavior to come.
+
+    Attributes:
+        general, states, features, learner: The pages.
+        buttons: OK makes it.
+    """
+
+    general: GeneralPage
+    states: StatesPage
+    features: FeaturesPage
+    learner: LearnerPage
+
+    def __init__(self, studio: Studio, type_name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("new-automaton")
+        self.setWindowTitle("New automaton")
+        self._studio = studio
+        self.tabs = QTabWidget()
+        self.tabs.setDocumentMode(True)
+        self.trouble = Complaint(studio.theme)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Make it")
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.addWidget(self.tabs, 1)
+        column.addWidget(self.trouble)
+        column.addWidget(self.buttons)
+        self.resize(620, 460)
+        self._begin(type_name, "")
+        self.finished.connect(lambda _: self.learner.validation.close())
+
+    def _begin(self, type_name: str, name: str) -> None:
+        """Begin a draft in the library of a type."""
+        project = self._studio.document.project
+        taken = {automaton.name for automaton in project.library(type_name).automata.values()}
+        begin = partial(add_automaton, type_name=type_name, name=name or fresh_name(taken, UNNAMED))
+        self.draft = DraftEditing(self._studio, begin, type_name)
+        types = tuple(node_type.name for node_type in project.types)
+        self._clear()
+        self.general = GeneralPage(self.draft, types)
+        self.general.type_chosen.connect(self._retype)
+        self.states = StatesPage(self.draft)
+        self.features = FeaturesPage(self.draft)
+        self.learner = LearnerPage(self.draft)
+        for title, page in (
+            ("General", self.general),
+            ("States", self.states),
+            ("Features", self.features),
+            ("Learner", self.learner),
+        ):
+            self.tabs.addTab(page, title)
+        self.general.name.selectAll()
+        self.general.name.setFocus()
+
+    def _clear(self) -> None:
+        """Take the pages of the draft before away."""
+        old = [page for k in range(self.tabs.count()) if (page := self.tabs.widget(k)) is not None]
+        if old:
+            self.learner.validation.close()
+        self.tabs.clear()
+        for page in old:
+            page.deleteLater()
+
+    def _retype(self, type_name: str) -> None:
+        """Another type has other behaviors and features: all but the name begins anew."""
+        automaton = self.draft.automaton
+        name = self.general.name.text().strip() or (automaton.name if automaton else "")
+        taken = self._studio.document.project.library(type_name).by_name(name) is not None
+        self._begin(type_name, "" if taken else name)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter makes the behavior from its name on; elsewhere it ends what is typed. Ctrl+Enter does from anywhere."""
+        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            super().keyPressEvent(event)
+        elif self.general.name.hasFocus() or event.modifiers() == Qt.KeyboardModifier.ControlModifier:
+            self.accept()
+
+    def accept(self) -> None:
+        """Make the behavior, as one step, and show it."""
+        document, name = self._studio.document, self.general.name.text().strip()
+        automaton = self.draft.automaton
+        if automaton is not None and name != automaton.name:
+            problem = self.draft.do(rename_automaton, name)
+            self.general.name_trouble.say(problem)
+            if problem:
+                self.tabs.setCurrentWidget(self.general)
+                return
+        try:
+            project = self.draft.kept(document.project)
+        except UnderstudyError as error:
+            self.trouble.say(f"the project has changed meanwhile: {error}")
+            return
+        document.push(describe(add_automaton, document.project, self.draft.type, name), project)
+        self._studio.selection.select_behavior(BehaviorKey(self.draft.type, self.draft.id))
+        super().accept()

@@ -1,0 +1,322 @@
+"""The behaviors, by type and kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from ...core.edits import duplicate_automaton, rename_automaton
+from ...core.project import Project
+from ..selection import BehaviorKey
+from .delegate import USES, BehaviorDelegate
+from .filtering import LibraryFilter
+from .fits import Fits
+from .model import LibraryModel
+from .rows import library_rows
+from .survey import Group, Kind, Row, RowKey, Surveyor, Use, words_of
+from .tree import LibraryTree
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Pixels below which names and facts have no room.
+NARROWEST = 210
+#: Actions of the context menu; an empty one is a line.
+MENU = (
+    "behavior.open",
+    "behavior.settings",
+    "behavior.note",
+    "",
+    "behavior.rename",
+    "behavior.duplicate",
+    "behavior.delete",
+    "",
+    "behavior.new",
+)
+
+
+class LibraryPanel(QWidget):
+    """The behaviors, by type and kind.
+
+    Attributes:
+        filter: Words that a behavior has to have.
+        tree: The behaviors.
+        model, shown: All of them, and those that the filter leaves.
+    """
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self._surveyor = Surveyor()
+        self._fits = Fits(self)
+        self._arm = ""
+        self._words: tuple[Project, dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]]] | None = None
+        self.model = LibraryModel(self._fits, self._renamed)
+        self.shown = LibraryFilter(self.model, self._words_of)
+        self.tree = LibraryTree()
+        self.delegate = BehaviorDelegate(studio, self.tree)
+        self.filter = QLineEdit()
+        self.empty = QLabel("No behaviors have been made yet.\nNew automaton (Ctrl+Shift+N) makes the first.")
+        self._selecting = False
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self.follow)
+        studio.actions.add(library_rows(self))
+        self._lay_out()
+        self._connect()
+        self.follow()
+
+    def _lay_out(self) -> None:
+        self.tree.setModel(self.shown)
+        self.tree.setItemDelegate(self.delegate)
+        self.filter.setPlaceholderText("Filter behaviors")
+        self.filter.setClearButtonEnabled(True)
+        self.filter.setAccessibleName("Filter behaviors")
+        self.filter.setToolTip(
+            "Names, features and states; feature:box or state:goto look only there (Ctrl+L)"
+        )
+        self.new = QToolButton()
+        self.new.setDefaultAction(self._studio.actions["behavior.new"])
+        self.new.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        self.new.setProperty("flat", "true")
+        self.new.setAccessibleName("New automaton")
+        self.empty.setProperty("role", "empty")
+        self.empty.setWordWrap(True)
+        self.empty.setContentsMargins(10, 4, 10, 8)
+        top = QHBoxLayout()
+        top.setContentsMargins(8, 4, 6, 6)
+        top.setSpacing(4)
+        top.addWidget(self.filter, 1)
+        top.addWidget(self.new)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(top)
+        column.addWidget(self.empty)
+        column.addWidget(self.tree, 1)
+        self.setMinimumWidth(NARROWEST)
+        self.setFocusProxy(self.tree)
+
+    def _connect(self) -> None:
+        studio = self._studio
+        studio.opened.connect(self._opened)
+        studio.document.project_changed.connect(lambda *_: self._soon.start())
+        studio.bridge.place_changed.connect(lambda _: self._soon.start())
+        studio.changed.connect(self._arm_changed)
+        studio.selection.behavior_changed.connect(self._show_selected)
+        studio.colors.changed.connect(self.tree.viewport().update)
+        studio.theme.changed.connect(self.tree.viewport().update)
+        studio.closing.connect(self._fits.close)
+        self.filter.textChanged.connect(self._filtered)
+        self.filter.returnPressed.connect(self._enter_tree)
+        self.tree.asked.connect(self._asked)
+        self.tree.released.connect(lambda: self._current_changed(self.tree.currentIndex()))
+        self.tree.dragged.connect(self._show_selected)
+        self.tree.menu_wanted.connect(self._show_menu)
+        self.tree.activated.connect(self._activated)
+        self.tree.selectionModel().currentChanged.connect(self._current_changed)
+        self.delegate.linked.connect(self._show_links)
+
+    # ----------------------------------------------------------------------------------------- following
+
+    def _opened(self) -> None:
+        self._arm = ""
+        self.follow()
+
+    def _arm_changed(self) -> None:
+        arm = self._studio.arm
+        if (arm.name if arm is not None else "") != self._arm:
+            self.follow()
+
+    def follow(self) -> None:
+        """Show the project as it is now."""
+        studio = self._studio
+        project, arm = studio.document.project, studio.arm
+        groups = self._surveyor.survey(project, studio.document.types, arm)
+        before = {(g.type, g.kind) for g in self._groups()}
+        self._selecting = True
+        self.model.follow(groups)
+        self._selecting = False
+        name = arm.name if arm is not None else ""
+        self._fold(set() if name != self._arm else before)
+        self._arm = name
+        taught = any(row.is_automaton for row in self.model.rows)
+        self.empty.setVisible(studio.is_open and not taught)
+        if self.isVisible() and studio.is_open:
+            self._fits.follow(project, studio.document.scenario.vocabulary)
+        if self.filter.text():
+            self._filtered()
+        self._show_selected()
+
+    def _groups(self) -> Iterator[Group]:
+        for at in range(self.model.rowCount()):
+            group = self.model.group(self.model.index(at, 0))
+            if group is not None:
+                yield group
+
+    def _fold(self, known: set[tuple[str, Kind]]) -> None:
+        """Unfold what the arm is about, except for the groups that are *known* already: these are the user's."""
+        for at in range(self.model.rowCount()):
+            index = self.model.index(at, 0)
+            group = self.model.group(index)
+            if group is not None and (group.type, group.kind) not in known:
+                unfolded = group.current and group.kind is not Kind.DERIVED
+                self.tree.setExpanded(self.shown.mapFromSource(index), unfolded)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Find out how well things fit once somebody looks."""
+        super().showEvent(event)
+        self._soon.start()
+
+    # ---------------------------------------------------------------------------------------- selecting
+
+    def _show_selected(self) -> None:
+        behavior = self._studio.selection.behavior
+        if behavior is None:
+            return
+        index = self.shown.mapFromSource(self.model.find(RowKey(behavior.type, behavior.id)))
+        if index.isValid() and index != self.tree.currentIndex():
+            self._make_current(index)
+
+    def _make_current(self, index: QModelIndex) -> None:
+        self.tree.setExpanded(index.parent(), True)
+        flags = QItemSelectionModel.SelectionFlag.ClearAndSelect
+        self.tree.selectionModel().setCurrentIndex(index, flags)
+        self.tree.scrollTo(index)
+
+    def _current_changed(self, index: QModelIndex) -> None:
+        row = self._row(index)
+        if row is None or not row.is_automaton or self._selecting or self.tree.pressing:
+            return
+        key = BehaviorKey(row.key.type, row.key.id)
+        if key != self._studio.selection.behavior:  # otherwise the state that is shown stays
+            self._studio.selection.select_behavior(key)
+
+    def _row(self, index: QModelIndex) -> Row | None:
+        return self.model.row(self.shown.mapToSource(index))
+
+    def jump(self, use: Use) -> None:
+        """Show a behavior that uses another, or that is used."""
+        key = use.key
+        if key is None:
+            self._studio.show_panel.emit("agents")
+            return
+        self.filter.clear()
+        if key.id:
+            state = {"state": use.state} if use.state else {}
+            self._studio.selection.select_behavior(BehaviorKey(key.type, key.id), **state)
+        index = self.shown.mapFromSource(self.model.find(key))
+        if index.isValid():
+            self._make_current(index)
+
+    # ----------------------------------------------------------------------------------------- changing
+
+    def rename(self) -> None:
+        """Let the user type another name in place."""
+        self._studio.show_panel.emit("library")
+        self._show_selected()
+        self.tree.edit(self.tree.currentIndex())
+
+    def _renamed(self, key: RowKey, name: str) -> bool:
+        return bool(self._studio.document.attempt(rename_automaton, key.type, key.id, name))
+
+    def duplicate(self) -> None:
+        """Copy the behavior that is shown, and show the copy."""
+        behavior = self._studio.selection.behavior
+        if behavior is None:
+            return
+        made = self._studio.document.attempt(duplicate_automaton, behavior.type, behavior.id)
+        if made:
+            self._studio.selection.select_behavior(BehaviorKey(behavior.type, str(made)))
+
+    def _asked(self, action: str) -> None:
+        row = self._row(self.tree.currentIndex())
+        if row is None:
+            index = self.tree.currentIndex()
+            if action == "behavior.open":
+                self.tree.setExpanded(index, not self.tree.isExpanded(index))
+        elif row.is_automaton:
+            self._studio.actions[action].trigger()
+
+    def _activated(self, index: QModelIndex) -> None:
+        row = self._row(index)
+        if row is not None and row.is_automaton:
+            self._studio.actions["behavior.open"].trigger()
+
+    # ------------------------------------------------------------------------------------------- menus
+
+    def _show_menu(self, spot: QPoint) -> None:
+        self.menu(self._row(self.tree.currentIndex())).popup(spot)
+
+    def menu(self, row: Row | None) -> QMenu:
+        """The context menu of a behavior."""
+        menu = self._new_menu()
+        if row is None or not row.is_automaton:
+            menu.addAction(self._studio.actions["behavior.new"])
+        else:
+            for action in MENU:
+                if action:
+                    menu.addAction(self._studio.actions[action])
+                else:
+                    menu.addSeparator()
+        if row is not None:
+            menu.addSeparator()
+            for title, uses in (("Used by", row.used_by), ("Uses", row.uses)):
+                below = menu.addMenu(f"{title} ({len(uses)})")
+                below.setEnabled(bool(uses))
+                self._list_uses(below, uses)
+        return menu
+
+    def _show_links(self, row: Row, part: str, spot: QPoint) -> None:
+        menu = self._new_menu()
+        self._list_uses(menu, row.uses if part == USES else row.used_by)
+        menu.popup(spot)
+
+    def _list_uses(self, menu: QMenu, uses: tuple[Use, ...]) -> None:
+        for use in uses:
+            action = menu.addAction(use.words[:1].upper() + use.words[1:])
+            action.triggered.connect(lambda _=False, use=use: self.jump(use))
+
+    def _new_menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.setToolTipsVisible(True)
+        return menu
+
+    # ------------------------------------------------------------------------------------------- filter
+
+    def focus_filter(self) -> None:
+        """Let the user type into the filter."""
+        self._studio.show_panel.emit("library")
+        self.filter.setFocus()
+        self.filter.selectAll()
+
+    def _filtered(self) -> None:
+        was_filtered = bool(self.shown.text)
+        self.shown.use(self.filter.text())
+        if self.shown.text:
+            self.tree.expandAll()
+        elif was_filtered:
+            self._fold(set())
+            self._show_selected()
+
+    def _enter_tree(self) -> None:
+        """Enter in the filter goes to the first behavior that is left."""
+        first = self.shown.index(0, 0, self.shown.index(0, 0))
+        if first.isValid():
+            self._make_current(first)
+            self.tree.setFocus()
+
+    def _words_of(self, row: Row) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        project = self._studio.document.project
+        if self._words is None or self._words[0] is not project:
+            self._words = project, {}
+        known = self._words[1]
+        if row.key not in known:
+            library = project.library(row.key.type)
+            automaton = library.automata.get(row.key.id)
+            known[row.key] = ((), ()) if automaton is None else words_of(automaton, library)
+        return known[row.key]

@@ -1,0 +1,110 @@
+"""Everything about a behavior that can be changed later: a window that stays open beside the work."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QTabWidget, QVBoxLayout, QWidget
+
+from ..selection import BehaviorKey
+from .editing import LiveEditing
+from .features_page import FeaturesPage
+from .general_page import GeneralPage
+from .learner_page import LearnerPage
+from .states_page import StatesPage
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Names of the pages.
+GENERAL, STATES, FEATURES, LEARNER = "General", "States", "Features", "Learner"
+
+
+def behavior_settings(
+    studio: Studio, parent: QWidget, page: str = "", field: str = "", behavior: BehaviorKey | None = None
+) -> BehaviorDialog | None:
+    """Open the settings of a behavior, or of the one that is shown; bring them to the front if they are open.
+
+    Args:
+        page: One of the pages' names to begin with.
+        field: ``note`` to go on typing there.
+    """
+    wanted = behavior or studio.selection.behavior
+    if wanted is None:
+        return None
+    dialogs = parent.window().findChildren(BehaviorDialog)
+    dialog = next((d for d in dialogs if d.behavior == wanted), None) or BehaviorDialog(
+        studio, wanted, parent.window()
+    )
+    dialog.show()
+    dialog.raise_()
+    dialog.activateWindow()
+    dialog.turn_to(page)
+    if field == "note":
+        dialog.turn_to(GENERAL)
+        dialog.general.note.setFocus()
+    return dialog
+
+
+class BehaviorDialog(QDialog):
+    """The settings of one behavior; every change is done at once and can be undone.
+
+    Attributes:
+        behavior: Which one.
+        general, states, features, learner: The pages.
+    """
+
+    def __init__(self, studio: Studio, behavior: BehaviorKey, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("behavior-settings")
+        self.behavior = behavior
+        self._studio = studio
+        self._editing = LiveEditing(studio, behavior.type, behavior.id)
+        self._editing.setParent(self)
+        self.general = GeneralPage(self._editing)
+        self.states = StatesPage(self._editing)
+        self.features = FeaturesPage(self._editing)
+        self.learner = LearnerPage(self._editing)
+        self.tabs = QTabWidget()
+        self.tabs.setDocumentMode(True)
+        for title, page in self._pages().items():
+            self.tabs.addTab(page, title)
+        self.gone = QLabel("This behavior is gone; undo brings it back.")
+        self.gone.setProperty("role", "empty")
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setAutoDefault(False)
+        close.setToolTip("Close; all changes are in the project already")
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.addWidget(self.tabs, 1)
+        column.addWidget(self.gone)
+        column.addWidget(buttons)
+        self.resize(620, 460)
+        self._editing.changed.connect(self._refresh)
+        studio.opened.connect(self.close)
+        studio.closing.connect(self.close)
+        self.finished.connect(lambda _: self.learner.validation.close())
+        self._refresh()
+
+    def _pages(self) -> dict[str, QWidget]:
+        return {
+            GENERAL: self.general,
+            STATES: self.states,
+            FEATURES: self.features,
+            LEARNER: self.learner,
+        }
+
+    def turn_to(self, page: str) -> None:
+        """Show a page by its name."""
+        if page in self._pages():
+            self.tabs.setCurrentWidget(self._pages()[page])
+
+    def _refresh(self) -> None:
+        automaton = self._editing.automaton
+        self.gone.setVisible(automaton is None)
+        self.tabs.setEnabled(automaton is not None)
+        name = self.behavior.id if automaton is None else automaton.name
+        self.setWindowTitle(f"{name} – behavior settings")

@@ -1,0 +1,289 @@
+"""What the library lists: all behaviors by type and kind, with who uses whom. Values, worked out without Qt.
+
+Rows are values that compare equal where nothing that they show has changed, so whoever lists them updates no others.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from ...core.automaton import Automaton, Basic, Nested
+from ...core.edits.calls import meanings, root_types, starting
+from ...core.errors import UnderstudyError
+from ...core.examples import Example
+from ...core.hierarchy import Hierarchy
+from ...core.library import Library, Types, raised_flags
+from ...core.naming import shown_state
+from ...core.project import Arm, Project
+from ...core.vocabulary import BasicBehavior, Vocabulary
+
+
+class Kind(StrEnum):
+    """Where a behavior comes from."""
+
+    LEARNED = "learned"
+    AUTHORED = "authored"
+    BASIC = "basic"
+    DERIVED = "derived"
+
+
+@dataclass(frozen=True, slots=True)
+class RowKey:
+    """A behavior of a type: an automaton by its id, or a basic one by its name."""
+
+    type: str
+    id: str = ""
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """Somebody who uses a behavior, or whom it uses.
+
+    Attributes:
+        words: "state 3 of Forage", "arm 'independent'".
+        key: The behavior to jump to; None for an arm.
+        state: The state of it that is meant, if one is.
+    """
+
+    words: str
+    key: RowKey | None = None
+    state: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One behavior.
+
+    Attributes:
+        examples, disabled: How many are learned from, and how many are not.
+        once: It is pulsed on entry only.
+        raises: The flags that it raises.
+    """
+
+    key: RowKey
+    name: str
+    kind: Kind
+    parameters: tuple[str, ...] = ()
+    examples: int = 0
+    disabled: int = 0
+    once: bool = False
+    raises: tuple[str, ...] = ()
+    used_by: tuple[Use, ...] = ()
+    uses: tuple[Use, ...] = ()
+    doc: str = ""
+
+    @property
+    def shown(self) -> str:
+        """The name with the parameters: ``Goto(X)``."""
+        return f"{self.name}({', '.join(self.parameters)})" if self.parameters else self.name
+
+    @property
+    def is_automaton(self) -> bool:
+        """Whether it can be opened and changed."""
+        return bool(self.key.id)
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """The behaviors of one type and kind.
+
+    Attributes:
+        current: Whether the type takes part in the arm that is shown.
+    """
+
+    type: str
+    kind: Kind
+    rows: tuple[Row, ...]
+    current: bool = True
+
+    @property
+    def title(self) -> str:
+        """What stands above them: ``AGENT · LEARNED``."""
+        return f"{self.type} · {self.kind}".upper()
+
+
+@dataclass(frozen=True, slots=True)
+class _Own:
+    """What concerns an automaton alone, kept as long as it and its examples are the same values."""
+
+    automaton: Automaton
+    examples: tuple[Example, ...]
+    enabled: int
+    raises: tuple[str, ...]
+    kind: Kind
+
+
+class Surveyor:
+    """Lists the behaviors of one project after another, working out again only what has changed."""
+
+    def __init__(self) -> None:
+        self._own: dict[RowKey, _Own] = {}
+
+    def survey(self, project: Project, types: Types, arm: Arm | None) -> tuple[Group, ...]:
+        """All groups, those of the arm's types first."""
+        own: dict[RowKey, _Own] = {}
+        used = _used_by(project)
+        groups: list[Group] = []
+        present = types_in(arm, project)
+        ordered = sorted(project.types, key=lambda t: (t.name not in present, project.types.index(t)))
+        for node_type in ordered:
+            name = node_type.name
+            rows = [
+                self._row(project, types, name, automaton, used, own)
+                for automaton in from_the_top(project.library(name))
+            ]
+            current = name in present
+            groups += [
+                Group(name, kind, tuple(row for row in rows if row.kind is kind), current)
+                for kind in (Kind.LEARNED, Kind.AUTHORED)
+            ]
+            kind = Kind.DERIVED if node_type.level else Kind.BASIC
+            basics = _vocabulary(types, name).behaviors.values()
+            groups.append(Group(name, kind, tuple(_basic(name, b, kind, used) for b in basics), current))
+        self._own = own
+        return tuple(group for group in groups if group.rows)
+
+    def _row(
+        self,
+        project: Project,
+        types: Types,
+        type_name: str,
+        automaton: Automaton,
+        used: Mapping[RowKey, list[Use]],
+        own: dict[RowKey, _Own],
+    ) -> Row:
+        key = RowKey(type_name, automaton.id)
+        examples = project.examples_of(type_name, automaton.id)
+        facts = self._own.get(key)
+        if facts is None or facts.automaton is not automaton or facts.examples is not examples:
+            enabled = sum(example.enabled for example in examples)
+            raises = raised_flags(automaton, _vocabulary(types, type_name))
+            facts = _Own(automaton, examples, enabled, raises, _kind(automaton, examples))
+        own[key] = facts
+        return Row(
+            key,
+            automaton.name,
+            facts.kind,
+            automaton.parameters,
+            facts.enabled,
+            len(examples) - facts.enabled,
+            raises=facts.raises,
+            used_by=tuple(used.get(key, ())),
+            uses=tuple(_uses(project, type_name, automaton)),
+            doc=automaton.note,
+        )
+
+
+def _vocabulary(types: Types, type_name: str) -> Vocabulary:
+    """What a type can use; nothing where the types contradict each other, which the checks tell."""
+    try:
+        return types.vocabulary(type_name)
+    except UnderstudyError:
+        return Vocabulary()
+
+
+def _kind(automaton: Automaton, examples: Sequence[Example]) -> Kind:
+    authored = automaton.rules and not automaton.learned and not examples
+    return Kind.AUTHORED if authored else Kind.LEARNED
+
+
+def _basic(type_name: str, basic: BasicBehavior, kind: Kind, used: Mapping[RowKey, list[Use]]) -> Row:
+    key = RowKey(type_name, name=basic.name)
+    raises = (basic.raises,) if basic.raises else ()
+    once = basic.runs_once
+    users = tuple(used.get(key, ()))
+    return Row(
+        key, basic.name, kind, basic.parameters, once=once, raises=raises, used_by=users, doc=basic.doc
+    )
+
+
+def types_in(arm: Arm | None, project: Project) -> frozenset[str]:
+    """The node types that take part in an arm; all without one."""
+    if arm is None:
+        return frozenset(node_type.name for node_type in project.types)
+    if isinstance(arm.hierarchy, Hierarchy):
+        below = {t.name: t.subsidiaries for t in project.types}
+        found, waiting = set[str](), list(root_types(arm))
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += below.get(name, ())
+        return frozenset(found)
+    return frozenset(arm.hierarchy.types)
+
+
+def from_the_top(library: Library) -> list[Automaton]:
+    """The automata of a library, those that hold others before those that they hold; equals by name."""
+    depths: dict[str, int] = {}
+
+    def depth(automaton_id: str, above: frozenset[str]) -> int:
+        automaton = library.automata.get(automaton_id)
+        if automaton is None or automaton_id in above:  # missing, or a cycle, which the checks tell
+            return 0
+        if automaton_id not in depths:
+            inside = above | {automaton_id}
+            depths[automaton_id] = 1 + max((depth(held, inside) for held in automaton.nested()), default=0)
+        return depths[automaton_id]
+
+    return sorted(library.automata.values(), key=lambda a: (-depth(a.id, frozenset()), a.name.casefold()))
+
+
+# ------------------------------------------------------------------------------------------- who uses whom
+
+
+def _used_by(project: Project) -> Mapping[RowKey, list[Use]]:
+    """The users of every behavior: states, and arms that start with it."""
+    found: dict[RowKey, list[Use]] = {}
+    for node_type in project.types:
+        library = project.library(node_type.name)
+        for automaton in library.automata.values():
+            for key, state_id in _held(node_type.name, automaton):
+                words = f"state {shown_state(automaton, state_id, library)} of {automaton.name}"
+                use = Use(words, RowKey(node_type.name, automaton.id), state_id)
+                found.setdefault(key, []).append(use)
+    directed = {
+        key.name for key in found if key.name
+    }  # most names are not, and asking who directs one takes long
+    tops = {arm.top for arm in project.arms}
+    for node_type in project.types:
+        for automaton in project.library(node_type.name).automata.values():
+            name = automaton.name
+            if name in directed or name in tops:
+                own = found.setdefault(RowKey(node_type.name, automaton.id), [])
+                own += _by_name(project, node_type.name, name, found)
+    return found
+
+
+def _by_name(project: Project, type_name: str, name: str, found: Mapping[RowKey, list[Use]]) -> Iterator[Use]:
+    """The controllers and arms that know an automaton by its name."""
+    for above in meanings(project, type_name, name):
+        for use in found.get(RowKey(above, name=name), ()):
+            yield replace(use, words=f"{use.words} ({above})")
+    for arm, _ in starting(project, type_name, name):
+        yield Use(f"arm {arm.name!r}")
+
+
+def _held(type_name: str, automaton: Automaton) -> Iterator[tuple[RowKey, str]]:
+    """What the states of an automaton hold, with the states."""
+    for state in automaton.states:
+        content = state.content
+        if isinstance(content, Nested):
+            yield RowKey(type_name, content.automaton), state.id
+        elif isinstance(content, Basic):
+            yield RowKey(type_name, name=content.behavior), state.id
+
+
+def _uses(project: Project, type_name: str, automaton: Automaton) -> Iterator[Use]:
+    """The behaviors that an automaton holds, each once."""
+    library = project.library(type_name)
+    for key in dict.fromkeys(key for key, _ in _held(type_name, automaton)):
+        held = library.automata.get(key.id)
+        yield Use(held.name if held else key.name or key.id, key)
+
+
+def words_of(automaton: Automaton, library: Library) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The names of an automaton's features and states, for searching."""
+    features = tuple(use.shown for use in automaton.features)
+    return features, tuple(shown_state(automaton, state.id, library) for state in automaton.states[1:])

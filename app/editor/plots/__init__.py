@@ -1,0 +1,1 @@
+"""Measures and shares over time while a world runs, for the world or a group."""

@@ -1,0 +1,283 @@
+"""Curves that grow while a world runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import pyqtgraph as pg
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QColor, QShowEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.wording import node_words, state_words
+from ..actions import ActionRow
+from ..diagram.label_colors import state_colors
+from ..palette import BASIC
+from .record import Point, Record
+from .series import BehaviorShares, LineKey, Lines, MeasureOf, StateShares, Subject, rows_below
+
+if TYPE_CHECKING:
+    from ...core.hierarchy import Node
+    from ...engine.snapshots import Snapshot
+    from ..studio import Studio
+
+#: Milliseconds between two drawings.
+REDRAW = 100
+EMPTY = "Let time pass (Space) to see measures and shares over time."
+#: More lines than this are not told apart; the largest are drawn.
+MOST_LINES = 12
+
+
+class PlotsPanel(QWidget):
+    """Any measure, or the shares of behaviors or states, for the world or what is below the selected controller."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self._record = Record()
+        self._lines = Lines(BehaviorShares())
+        self._curves: dict[LineKey, Any] = {}
+        self.what = self._box("What is plotted")
+        self.whom = self._box("Of whom: the world, or what is below the selected controller")
+        self.plot = self._plot()
+        self._legend = self.plot.addLegend(offset=(-8, 8), labelTextSize="8pt")
+        self._lay_out()
+        self._timer = QTimer(self, interval=REDRAW, singleShot=True)
+        self._timer.timeout.connect(self.redraw)
+        studio.bridge.snapshot_changed.connect(self._take)
+        studio.bridge.place_changed.connect(self._another_world)
+        studio.opened.connect(self._another_world)
+        studio.selection.nodes_changed.connect(self._offer)
+        studio.selection.behavior_changed.connect(self._offer)
+        studio.colors.changed.connect(self._dress)
+        studio.theme.changed.connect(self._dress)
+        self.what.activated.connect(lambda _: self._choose())
+        self.whom.activated.connect(lambda _: self._choose())
+        studio.actions.add(plot_rows(self))
+        self._dress()
+        self._offer()
+
+    def _box(self, tip: str) -> QComboBox:
+        box = QComboBox()
+        box.setToolTip(tip)
+        box.setAccessibleName(tip)
+        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        return box
+
+    def _plot(self) -> Any:
+        plot = pg.PlotWidget()
+        plot.setMenuEnabled(False)
+        plot.hideButtons()
+        plot.setMouseEnabled(x=True, y=False)
+        plot.setAccessibleName("plot over time")
+        plot.getAxis("bottom").setLabel("tick")
+        plot.getAxis("bottom").enableAutoSIPrefix(False)
+        return plot
+
+    def _lay_out(self) -> None:
+        full, bar = QWidget(), QHBoxLayout()
+        bar.setContentsMargins(8, 4, 8, 4)
+        bar.addWidget(self.what)
+        bar.addWidget(self.whom)
+        self.clear_button = QPushButton("Clear")
+        self.clear_button.setToolTip("Forget the curves so far; the world goes on")
+        self.clear_button.clicked.connect(self.clear)
+        bar.addWidget(self.clear_button)
+        bar.addStretch(1)
+        column = QVBoxLayout(full)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(bar)
+        column.addWidget(self.plot, 1)
+        empty = QLabel(EMPTY)
+        empty.setProperty("role", "empty")
+        empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._pages = QStackedLayout(self)
+        self._pages.addWidget(empty)
+        self._pages.addWidget(full)
+        self.setFocusProxy(self.what)
+
+    # ------------------------------------------------------------------------------------------- recording
+
+    def _take(self, snapshot: Snapshot) -> None:
+        point = Point(snapshot.tick, snapshot.measures, snapshot.doing)
+        if self._record.add(point) and self.isVisible() and not self._timer.isActive():
+            self._timer.start()
+
+    def _another_world(self) -> None:
+        self._record.clear()
+        self._offer()
+        self._timer.start()
+
+    def clear(self) -> None:
+        """Forget what was seen so far."""
+        self._record.clear()
+        self.redraw()
+
+    # ------------------------------------------------------------------------------------------- choosing
+
+    def subjects(self) -> list[tuple[str, Subject]]:
+        """What can be plotted, with its words."""
+        document, shown = self._studio.document, self._studio.selection.behavior
+        found: list[tuple[str, Subject]] = [("Behaviors of agents", BehaviorShares())]
+        automaton = None if shown is None else document.automaton(shown.type, shown.id)
+        if shown is not None and automaton is not None:
+            found.append((f"States of {automaton.name}", StateShares(shown.type, shown.id)))
+        return found + [(name.capitalize(), MeasureOf(name)) for name in document.scenario.measures]
+
+    def group(self) -> Node | None:
+        """The controller that is selected, if one is."""
+        snapshot, node_id = self._studio.snapshot, self._studio.selection.node
+        if snapshot is None or not node_id:
+            return None
+        nodes = (node for node in snapshot.place.hierarchy.walk() if node.id == node_id and node.children)
+        return next(nodes, None)
+
+    def _offer(self) -> None:
+        chosen = self.what.currentIndex()
+        self.what.clear()
+        for words, subject in self.subjects():
+            self.what.addItem(words, subject)
+        self.what.setCurrentIndex(max(0, min(chosen, self.what.count() - 1)))
+        group = self.group()
+        below = self.whom.currentIndex() == 1
+        self.whom.clear()
+        self.whom.addItem("of the world", None)
+        if group is not None:
+            self.whom.addItem(f"of {node_words(group)}", group.id)
+            self.whom.setCurrentIndex(int(below))
+        self._choose()
+
+    def choose(self, words: str) -> None:
+        """Plot what is called so in the box."""
+        self.what.setCurrentIndex(max(0, self.what.findText(words)))
+        self._choose()
+
+    def _choose(self) -> None:
+        subject = self.what.currentData()
+        self.whom.setEnabled(not isinstance(subject, MeasureOf))
+        group = self.group() if self.whom.currentData() and not isinstance(subject, MeasureOf) else None
+        self._lines = Lines(subject or BehaviorShares(), rows_below(group))
+        for curve in self._curves.values():
+            self.plot.removeItem(curve)
+        self._curves = {}
+        self._legend.clear()
+        self.redraw()
+
+    # -------------------------------------------------------------------------------------------- drawing
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Draw what came while nobody looked."""
+        super().showEvent(event)
+        self._timer.start()
+
+    def redraw(self) -> None:
+        """Draw the lines as they are now."""
+        points = self._record.points
+        self._pages.setCurrentIndex(1 if len(points) > 1 else 0)
+        if not self.isVisible() or len(points) < 2:
+            return
+        self._lines.follow(points, self._record.version)
+        keys = self._largest()
+        for key in [key for key in self._curves if key not in keys]:
+            self.plot.removeItem(self._curves.pop(key))
+        for key in keys:
+            ticks, values = self._lines.line(key)
+            if key not in self._curves:
+                self._curves[key] = self.plot.plot(pen=self._pen(key), name=self.name(key))
+            self._curves[key].setData(ticks, values)
+        share = not isinstance(self._lines.subject, MeasureOf)
+        self.plot.setYRange(0.0, 1.0) if share else self.plot.enableAutoRange("y")
+        self.plot.getAxis("left").setLabel("share" if share else self.what.currentText().lower())
+
+    def _largest(self) -> list[LineKey]:
+        keys = list(self._lines.keys)
+        if len(keys) <= MOST_LINES:
+            return keys
+        return sorted(keys, key=lambda key: -float(self._lines.line(key)[1].sum()))[:MOST_LINES]
+
+    def name(self, key: LineKey) -> str:
+        """What a line is called."""
+        document = self._studio.document
+        if key[0] == "state":
+            automaton = document.automaton(key[1], key[2])
+            if automaton is None or not automaton.has_state(key[3]):
+                return key[3]
+            return state_words(automaton, key[3], document.project.library(key[1]))
+        return key[-1]
+
+    def _pen(self, key: LineKey) -> Any:
+        return pg.mkPen(self._color(key), width=2, style=self._style(key))
+
+    def _color(self, key: LineKey) -> QColor:
+        studio = self._studio
+        if key[0] == "behavior":
+            return studio.colors.color(key[1], key[2])
+        if key[0] == "state":
+            automaton = studio.document.automaton(key[1], key[2])
+            colors: Mapping[str, QColor] = (
+                {} if automaton is None else state_colors(automaton, key[1], studio.colors, studio.theme)
+            )
+            return colors.get(key[3], QColor(BASIC))
+        return studio.theme.color("accent")
+
+    def _style(self, key: LineKey) -> Qt.PenStyle:
+        """Grey lines are told apart by their dashes."""
+        greys = [other for other in self._lines.keys if self._color(other) == self._color(key)]
+        styles = [
+            Qt.PenStyle.SolidLine,
+            Qt.PenStyle.DashLine,
+            Qt.PenStyle.DotLine,
+            Qt.PenStyle.DashDotLine,
+            Qt.PenStyle.DashDotDotLine,
+        ]
+        return styles[greys.index(key) % len(styles)]
+
+    def _dress(self) -> None:
+        theme = self._studio.theme
+        self.plot.setBackground(theme.color("panel"))
+        for side in ("left", "bottom"):
+            axis = self.plot.getAxis(side)
+            axis.setPen(theme.color("hairline"))
+            axis.setTextPen(theme.color("dim"))
+        self._legend.setLabelTextColor(theme.color("text"))
+        self._choose()
+
+
+def plot_rows(panel: PlotsPanel) -> tuple[ActionRow, ...]:
+    """What can be done with plots."""
+
+    def show(studio: Studio) -> None:
+        studio.show_panel.emit("plots")
+
+    return (
+        ActionRow(
+            "run.plot",
+            "Plot over time",
+            "Run",
+            show,
+            "plots",
+            tip="Show measures and shares of behaviors over time",
+            icon="chart-line",
+            enabled=lambda studio: studio.snapshot is not None,
+        ),
+        ActionRow(
+            "run.clear_plot",
+            "Clear the plot",
+            "Run",
+            lambda _: panel.clear(),
+            "plots",
+            tip="Forget the curves so far; the world goes on",
+            icon="eraser",
+            enabled=lambda studio: studio.snapshot is not None,
+        ),
+    )

@@ -1,0 +1,93 @@
+"""Learning in the background from what the user has changed, as part of the step that changed it."""
+
+from collections.abc import Mapping
+from time import monotonic
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from ..core.edits import set_values
+from ..core.project import Project
+from ..engine.relearning import RelearnAnswer, Relearner
+from ..learner.trainer import apply
+from .document import Document
+from .settings import Settings
+
+#: Milliseconds without another change before learning begins: a drag is learned from once.
+PATIENCE = 120
+
+
+class Relearning(QObject):
+    """Keeps the learned automata of the document up to date.
+
+    Attributes:
+        busy: Whether something is being learned.
+        learned_at: When the last answer was taken in, by the monotonic clock; 0.0 before the first.
+
+    Signals:
+        changed: Learning began or ended.
+        told: What could not be learned, and why.
+    """
+
+    changed = Signal()
+    told = Signal(str)
+    _ready = Signal()
+
+    def __init__(self, document: Document, settings: Settings) -> None:
+        super().__init__()
+        self._document = document
+        self._settings = settings
+        self._relearner = Relearner(self._ready.emit)
+        self.busy = False
+        self.learned_at = 0.0
+        self._problems: tuple[str, ...] = ()
+        self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
+        self._soon.timeout.connect(self.learn)
+        self._ready.connect(self._take)
+        document.project_changed.connect(self._project_changed)
+        document.opened.connect(self._soon.stop)
+
+    def learn(self) -> None:
+        """Learn now what is stale."""
+        document = self._document
+        self._relearner.ask(document.revision, document.project, document.scenario)
+        self._set_busy(busy=True)
+
+    def close(self) -> None:
+        """Give up what is open and end the thread."""
+        self._soon.stop()
+        self._relearner.close()
+
+    def _project_changed(self, before: Project, after: Project) -> None:
+        untouched = before.examples is after.examples and before.libraries is after.libraries
+        if self._settings.learns_by_itself and not untouched:
+            self._soon.start()
+
+    def _take(self) -> None:
+        for answer in self._relearner.answers():
+            self._set_busy(busy=False)
+            if answer.revision == self._document.revision:
+                self._use(answer)
+            elif self._settings.learns_by_itself:
+                self._soon.start()
+
+    def _use(self, answer: RelearnAnswer) -> None:
+        self.learned_at = monotonic()
+        if answer.learned.automata or answer.filled:
+            self._document.amend(lambda project: _with(project, answer))
+        for problem in answer.problems:
+            if problem not in self._problems:
+                self.told.emit(problem)
+        self._problems = answer.problems
+
+    def _set_busy(self, *, busy: bool) -> None:
+        if busy is not self.busy:
+            self.busy = busy
+            self.changed.emit()
+
+
+def _with(project: Project, answer: RelearnAnswer) -> Project:
+    """*project* with what was read from moments, and what was learned."""
+    filled: Mapping[tuple[str, str], Mapping[str, Mapping[str, float]]] = answer.filled
+    for where, values in filled.items():
+        project = set_values(project, *where, values)
+    return apply(project, answer.learned)

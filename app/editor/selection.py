@@ -1,0 +1,82 @@
+"""What the user looks at: nodes in the world, a behavior, one of its states, examples."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from ..core.automaton import START
+
+
+@dataclass(frozen=True, slots=True)
+class BehaviorKey:
+    """An automaton of a type's library."""
+
+    type: str
+    id: str
+
+
+class Selection(QObject):
+    """What is selected; panels show it and change it, and hear of every change.
+
+    Attributes:
+        nodes: Ids of agents and controllers in the order of selecting; the last is the one that panels show.
+        behavior: The automaton that graph, tree, examples and teach panel show.
+        state: The state of that automaton whose decisions are shown; Start unless another was chosen.
+        examples: Ids of examples of that automaton.
+
+    Signals:
+        nodes_changed, behavior_changed, state_changed, examples_changed: It is another one now.
+    """
+
+    nodes_changed = Signal()
+    behavior_changed = Signal()
+    state_changed = Signal()
+    examples_changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.nodes: tuple[str, ...] = ()
+        self.behavior: BehaviorKey | None = None
+        self.state = START
+        self.examples: tuple[str, ...] = ()
+
+    @property
+    def node(self) -> str:
+        """The node that panels show; empty if none is selected."""
+        return self.nodes[-1] if self.nodes else ""
+
+    def select_nodes(self, nodes: Iterable[str]) -> None:
+        """Select these nodes, and no others."""
+        chosen = tuple(dict.fromkeys(nodes))
+        if chosen != self.nodes:
+            self.nodes = chosen
+            self.nodes_changed.emit()
+
+    def toggle_node(self, node: str) -> None:
+        """Add a node to the selection, or take it out."""
+        rest = [other for other in self.nodes if other != node]
+        self.select_nodes(rest if node in self.nodes else [*rest, node])
+
+    def select_behavior(self, behavior: BehaviorKey | None, state: str = START) -> None:
+        """Show another automaton, or another state of it."""
+        if behavior != self.behavior:
+            self.behavior, self.state = behavior, state
+            self.select_examples(())
+            self.behavior_changed.emit()
+            self.state_changed.emit()
+        else:
+            self.select_state(state)
+
+    def select_state(self, state: str) -> None:
+        """Show the decisions of another state of the same automaton."""
+        if state != self.state:
+            self.state = state
+            self.state_changed.emit()
+
+    def select_examples(self, examples: Iterable[str]) -> None:
+        """Select these examples of the automaton shown."""
+        chosen = tuple(dict.fromkeys(examples))
+        if chosen != self.examples:
+            self.examples = chosen
+            self.examples_changed.emit()

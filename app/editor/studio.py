@@ -1,0 +1,307 @@
+"""What every part of the window is given: the document, the engine, the selection, the actions, the looks."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from ..core.errors import UnderstudyError
+from ..core.project import Arm, Project, Value
+from ..engine.commands import RedoMove, UseArm
+from ..engine.scenarios import open_scenario
+from ..engine.snapshots import Mode, Refused, Snapshot
+from ..sim.scenario import Scenario
+from .actions import Actions
+from .behavior_colors import BehaviorColors
+from .bridge import Bridge, MoveMark
+from .document import Document
+from .relearning import Relearning
+from .selection import BehaviorKey, Selection
+from .settings import Settings
+from .teach.teaching import Teaching
+from .theme import Theme
+from .watching import Watching
+
+#: Of so many selected nodes, the last ones, snapshots show what they are about to decide.
+MOST_WATCHED = 8
+
+
+class Kind(StrEnum):
+    """How urgent a message is."""
+
+    INFO = "info"
+    WARNING = "warning"
+    ERROR = "error"
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """Something that the user should know.
+
+    Attributes:
+        answers: What can be done about it: the text of a button, and what it does.
+    """
+
+    text: str
+    kind: Kind = Kind.INFO
+    answers: tuple[tuple[str, Callable[[], object]], ...] = ()
+
+
+class Studio(QObject):
+    """The parts of the window that have no looks of their own, and what concerns several of them.
+
+    Attributes:
+        document: The project that is open, with its history.
+        bridge: The engine.
+        selection: What the user looks at.
+        watching: Which nodes snapshots explain.
+        colors: Who has which color.
+        actions: All that can be done.
+        teaching: Who is taught what, and testing it.
+        relearning: Learns in the background from what has changed.
+
+    Signals:
+        opened: Another project is open.
+        said: A `Message` for the user.
+        changed: Something that decides what is possible has changed; told once for all of it.
+        show_panel: Bring a panel to the front, by its id.
+        closing: The window closes: whoever works in the background has to end it.
+        world_wanted: Bring the window with the world to the front.
+        window_wanted: Open a project in a window of its own: the project, its scenario, an arm, a seed, a tick.
+    """
+
+    opened = Signal()
+    closing = Signal()
+    world_wanted = Signal()
+    window_wanted = Signal(object, object, str, int, int)
+    said = Signal(object)
+    changed = Signal()
+    show_panel = Signal(str)
+    moment_wanted = Signal(object, str, str)
+
+    def __init__(self, theme: Theme, settings: Settings) -> None:
+        super().__init__()
+        self.theme = theme
+        self.settings = settings
+        self.is_open = False
+        self.document = Document(_NOTHING, open_scenario(_NOTHING))
+        self.bridge = Bridge(self.document)
+        self.selection = Selection()
+        self.watching = Watching(self.bridge)
+        self.colors = BehaviorColors()
+        self.actions = Actions(self)
+        self.relearning = Relearning(self.document, settings)
+        self.teaching = Teaching(self)
+        self._undo_ticket = self._undos_waiting = 0
+        self._arm = ""
+        self._settings: Mapping[str, Value] = {}
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self._refresh)
+        self._connect()
+
+    def _connect(self) -> None:
+        document, bridge, selection = self.document, self.bridge, self.selection
+        document.project_changed.connect(self._project_changed)
+        document.refused.connect(self.warn)
+        bridge.told.connect(self.warn)
+        self.relearning.told.connect(self.warn)
+        bridge.event_came.connect(self._event_came)
+        bridge.snapshot_changed.connect(self._snapshot_changed)
+        self.theme.changed.connect(self.actions.dress)
+        self.settings.changed.connect(self._setting_changed)
+        selection.nodes_changed.connect(self._watch)
+        self.teaching.changed.connect(self._watch)
+        for signal in (
+            document.history_changed,
+            bridge.mode_changed,
+            bridge.place_changed,
+            selection.nodes_changed,
+            selection.behavior_changed,
+            selection.state_changed,
+            selection.examples_changed,
+        ):
+            signal.connect(self.touch)
+
+    # ------------------------------------------------------------------------------------ opening, closing
+
+    def open(
+        self,
+        project: Project,
+        scenario: Scenario,
+        folder: Path | None,
+        *,
+        saved: bool = True,
+        arm: str = "",
+    ) -> None:
+        """Open a project, and begin its first arm, or *arm*, paused."""
+        self.bridge.close()
+        self.document.begin(project, scenario, folder, saved=saved)
+        self.colors.use(project)
+        self.selection.select_nodes(())
+        self.selection.select_behavior(_first_behavior(project))
+        self.is_open = True
+        self._arm, self._settings = arm or (project.arms[0].name if project.arms else ""), {}
+        self.opened.emit()
+        if self._arm:
+            self._begin()
+        self.touch()
+
+    def close_project(self) -> None:
+        """Close the project; the window shows the welcome page."""
+        self.bridge.close()
+        self.is_open = False
+        self.document.begin(_NOTHING, open_scenario(_NOTHING), None)
+        self.selection.select_nodes(())
+        self.selection.select_behavior(None)
+        self.opened.emit()
+        self.touch()
+
+    def shut_down(self) -> None:
+        """End all that runs in the background."""
+        self.closing.emit()
+        self.bridge.close()
+        self.relearning.close()
+        self.settings.sync()
+
+    # ------------------------------------------------------------------------------------------- the arm
+
+    @property
+    def snapshot(self) -> Snapshot | None:
+        """The newest snapshot of the session, if there is one."""
+        return self.bridge.snapshot
+
+    @property
+    def mode(self) -> Mode | None:
+        """What the session is for at the moment; None where there is none."""
+        return None if self.snapshot is None else self.snapshot.mode
+
+    @property
+    def arm(self) -> Arm | None:
+        """The arm whose world is shown."""
+        name = self.snapshot.arm if self.snapshot is not None else self._arm
+        return next((arm for arm in self.document.project.arms if arm.name == name), None)
+
+    def use_arm(self, name: str, settings: Mapping[str, Value] | None = None) -> None:
+        """Begin again with another arm."""
+        self._arm, self._settings = name, settings or {}
+        if self.bridge.is_open:
+            self.bridge.send(UseArm(name, self._settings))
+        else:
+            self._begin()
+        self.touch()
+
+    def _begin(self) -> None:
+        self.bridge.open(self._arm, settings=self._settings)
+        self._undo_ticket = self._undos_waiting = 0
+        self._watch()
+        self.watching.begin()
+
+    def _watch(self) -> None:
+        """Have snapshots show what the selected nodes, and the one that is taught, are about to decide."""
+        nodes, pupils = self.selection.nodes[-MOST_WATCHED:], self.teaching.nodes[:MOST_WATCHED]
+        self.watching.want("studio", (*nodes, *pupils, self.teaching.node))
+
+    # ------------------------------------------------------------------------------------- undo and redo
+
+    def undo(self) -> None:
+        """Take back the last step: an edit, a pick, or something that was moved in the world.
+
+        A pick is taken back by the session, which puts the node back as well; what is undone meanwhile waits for that.
+        """
+        if self._undo_ticket:
+            self._undos_waiting += 1
+            return
+        last = self.document.history.last
+        if last is None:
+            return
+        if self.bridge.can_take_back(last.mark):
+            self._undo_ticket = self.bridge.take_back()
+            return
+        edit = self.document.undo()
+        if isinstance(edit.mark, MoveMark):
+            self.bridge.undo_move(edit.mark)
+
+    def redo(self) -> None:
+        """Do again what was undone last. A pick's examples come back; its node is not put anywhere."""
+        if self.document.history.can_redo and not self._undo_ticket:
+            edit = self.document.redo()
+            if isinstance(edit.mark, MoveMark):
+                self.bridge.send(RedoMove(edit.mark.moved.number))
+
+    def _event_came(self, event: object) -> None:
+        if isinstance(event, Refused) and self._undo_ticket and event.ticket == self._undo_ticket:
+            self.bridge.forget_picks()  # their lesson is over: its examples can be undone all the same
+            self._undo_ticket = 0
+            self.undo()
+            self._undo_next()
+
+    def _snapshot_changed(self, snapshot: Snapshot) -> None:
+        if self._undo_ticket and snapshot.acknowledged >= self._undo_ticket:
+            self._undo_ticket = 0
+            self._undo_next()
+
+    def _undo_next(self) -> None:
+        """Go on with what was asked for while the session was busy with a pick."""
+        while self._undos_waiting and not self._undo_ticket:
+            self._undos_waiting -= 1
+            self.undo()
+
+    # --------------------------------------------------------------------------------------------- telling
+
+    def say(self, text: str) -> None:
+        """Tell the user something that is good to know."""
+        self.said.emit(Message(text))
+
+    def warn(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
+        """Tell the user that something was not possible, and what can be done about it."""
+        self.said.emit(Message(text, Kind.WARNING, answers))
+
+    def attempt(self, act: Callable[[], object]) -> bool:
+        """Do something that may fail for reasons the user can mend, which are then told."""
+        try:
+            act()
+        except UnderstudyError as error:
+            self.warn(str(error))
+            return False
+        return True
+
+    def touch(self) -> None:
+        """Say that something has changed which decides what is possible."""
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _refresh(self) -> None:
+        self.actions.refresh()
+        self.changed.emit()
+
+    def _project_changed(self, _before: Project, after: Project) -> None:
+        self.colors.use(after)
+        shown = self.selection.behavior
+        if shown is None or self.document.automaton(shown.type, shown.id) is None:
+            self.selection.select_behavior(_first_behavior(after))
+        if self.bridge.is_open or not after.arms:
+            return
+        self._arm = after.arms[0].name
+        self._begin()
+
+    def _setting_changed(self, name: str) -> None:
+        if name == "theme":
+            self.theme.use(self.settings.theme)
+        elif name == "keys":
+            self.actions.dress()
+
+
+_NOTHING = Project("", "foraging")
+
+
+def _first_behavior(project: Project) -> BehaviorKey | None:
+    """A behavior to begin with: what the first arm runs, or else the first there is."""
+    top = project.arms[0].top if project.arms else ""
+    keys = [
+        (BehaviorKey(node_type.name, automaton.id), automaton.name == top)
+        for node_type in project.types
+        for automaton in project.library(node_type.name).automata.values()
+    ]
+    return max(keys, key=lambda key: key[1])[0] if keys else None

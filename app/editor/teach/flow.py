@@ -1,0 +1,131 @@
+"""Buttons in rows: those that must be there, and as many of those that may be there as there is room for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from PySide6.QtCore import QRect, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QWidget
+
+GAP = 6
+#: So many rows are shown; the others are scrolled to.
+MOST_ROWS, ROW = 3, 40
+#: What may be there makes no more rows than these.
+EXTRA_ROWS = 2
+
+
+class ButtonFlow(QWidget):
+    """Places widgets from left to right, in as many rows as it takes.
+
+    Signals:
+        arranged: They may take another height.
+    """
+
+    arranged = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._needed: tuple[QWidget, ...] = ()
+        self._extra: tuple[QWidget, ...] = ()
+        self._last: tuple[QWidget, ...] = ()
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
+
+    def hold(self, needed: Sequence[QWidget], extra: Sequence[QWidget], last: Sequence[QWidget]) -> None:
+        """Hold *needed* and *last* always, and between them as many of *extra* as there is room for."""
+        self._needed, self._extra, self._last = tuple(needed), tuple(extra), tuple(last)
+        order = (*needed, *extra, *last)
+        for widget in order:
+            widget.setParent(self)
+        for before, after in pairwise(order):
+            QWidget.setTabOrder(before, after)
+        self.arrange()
+
+    def arrange(self) -> None:
+        """Place all anew, after their sizes have changed."""
+        self._place()
+        self.updateGeometry()
+        self.arranged.emit()
+
+    def hasHeightForWidth(self) -> bool:
+        """Narrower is higher."""
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        """The rows that it takes."""
+        placed = self._placed(width)
+        return max((rect.bottom() + 1 for rect in placed.values()), default=0)
+
+    def sizeHint(self) -> QSize:
+        """One row, if there is room."""
+        return QSize(400, self.heightForWidth(self.width() or 400))
+
+    def minimumSizeHint(self) -> QSize:
+        """The widest button, and the rows as it is now."""
+        widest = max((w.sizeHint().width() for w in (*self._needed, *self._last)), default=0)
+        return QSize(widest, self.heightForWidth(max(self.width(), widest)))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place all anew."""
+        super().resizeEvent(event)
+        self.arrange()
+
+    def _place(self) -> None:
+        placed = self._placed(self.width())
+        for widget in (*self._needed, *self._extra, *self._last):
+            if widget in placed:
+                widget.setGeometry(placed[widget])
+            widget.setVisible(widget in placed)
+
+    def _placed(self, width: int) -> dict[QWidget, QRect]:
+        placed: dict[QWidget, QRect] = {}
+        at = 0, 0, 0
+        for widget in self._needed:
+            at = _put(placed, widget, *at, width)
+        lowest = max(at[1], (EXTRA_ROWS - 1) * (ROW + GAP))
+        for widget in self._extra:
+            beyond = _put({}, widget, *at, width)
+            for other in self._last:
+                beyond = _put({}, other, *beyond, width)
+            if beyond[1] > lowest:
+                break
+            at = _put(placed, widget, *at, width)
+        for widget in self._last:
+            at = _put(placed, widget, *at, width)
+        return placed
+
+
+def _put(
+    placed: dict[QWidget, QRect], widget: QWidget, x: int, y: int, row: int, width: int
+) -> tuple[int, int, int]:
+    """Put a widget behind the others, or in a new row; where the next one goes."""
+    size = widget.sizeHint().expandedTo(widget.minimumSize())
+    if x and x + size.width() > width:
+        x, y, row = 0, y + row + GAP, 0
+    placed[widget] = QRect(x, y, size.width(), size.height())
+    return x + size.width() + GAP, y, max(row, size.height())
+
+
+class Rows(QScrollArea):
+    """As high as its rows of buttons, up to some; more are scrolled to."""
+
+    def __init__(self, flow: ButtonFlow) -> None:
+        super().__init__()
+        self._flow = flow
+        self.setWidget(flow)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.viewport().setAutoFillBackground(False)
+        flow.setAutoFillBackground(False)
+        self.setStyleSheet("QScrollArea { background: transparent; }")
+        flow.arranged.connect(self.fit)
+        self.fit()
+
+    def fit(self) -> None:
+        """Take the height that the rows need."""
+        needed = self._flow.heightForWidth(max(1, self._flow.width()))
+        self.setFixedHeight(min(max(needed, ROW), MOST_ROWS * (ROW + GAP) - GAP))

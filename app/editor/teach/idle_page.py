@@ -1,0 +1,90 @@
+"""Before a lesson: what would be taught to whom, and what is missing for it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
+
+from .pupils import called
+from .target_row import TargetRow
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+MOST_NAMED = 3
+
+
+class IdlePage(QWidget):
+    """Says what Teach would do now."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setTextFormat(Qt.TextFormat.PlainText)
+        self.teach = QPushButton("Teach")
+        self.teach.setDefault(False)
+        self.teach.clicked.connect(studio.actions["teach.teach"].trigger)
+        self.targets = TargetRow(studio)
+        self.filed = QLineEdit(placeholderText="demonstration")
+        self.filed.setToolTip("The name that the examples are filed under")
+        self.filed.setAccessibleName("Name of the demonstration")
+        self.filed.setFixedWidth(150)
+        self.filed.editingFinished.connect(self._file)
+        filed = QLabel("filed under")
+        filed.setProperty("role", "caption")
+        first, second = QHBoxLayout(), QHBoxLayout()
+        for widget, stretch in ((self.words, 1), (filed, 0), (self.filed, 0), (self.teach, 0)):
+            first.addWidget(widget, stretch)
+        second.addWidget(self.targets)
+        second.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setSpacing(8)
+        layout.addLayout(first)
+        layout.addLayout(second)
+        layout.addStretch(1)
+        for signal in (studio.changed, studio.teaching.changed):
+            signal.connect(self.refresh)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Say it anew."""
+        teaching = self._studio.teaching
+        if teaching.lesson is not None:
+            return
+        self.words.setText(self._words())
+        keys = self._studio.actions["teach.teach"].shortcut().toString()
+        self.teach.setText(f"Teach   {keys}" if keys else "Teach")
+        self.teach.setToolTip(self._studio.actions["teach.teach"].toolTip())
+        self.teach.setEnabled(self._studio.snapshot is not None and teaching.key is not None)
+        self.filed.setEnabled(teaching.key is not None)
+        self.filed.setPlaceholderText(teaching.filed_under)
+        if not self.filed.hasFocus():
+            self.filed.setText(teaching.demonstration)
+
+    def _words(self) -> str:
+        studio, teaching = self._studio, self._studio.teaching
+        key, automaton, snapshot = teaching.key, teaching.automaton, studio.snapshot
+        if not studio.is_open or (snapshot is None and studio.arm is None):
+            return "This project has no arm yet: make one in the panel Agents, then behaviors can be taught to its agents."
+        if key is None or automaton is None:
+            return "Choose a behavior to teach in the library, or make a new one there."
+        if snapshot is None:
+            return "The world is being made…"
+        nodes = teaching.nodes
+        if not nodes:
+            return f"{automaton.name} is for nodes of type {key.type}, but there is none in this arm. Teach offers arms that have one."
+        named = ", ".join(called(snapshot.place, node) for node in nodes[:MOST_NAMED])
+        more = f" and {len(nodes) - MOST_NAMED} more" if len(nodes) > MOST_NAMED else ""
+        known = len(studio.document.project.examples_of(key.type, key.id))
+        had = f" {automaton.name} has {known} example{'' if known == 1 else 's'}." if known else ""
+        open_ = " and ".join(teaching.open)
+        first = f" First choose what {open_} is." if open_ else ""
+        return f"Teach {automaton.name} to {named}{more}.{first}{had} Others can be selected in the world."
+
+    def _file(self) -> None:
+        self._studio.teaching.set_demonstration(self.filed.text())

@@ -1,0 +1,302 @@
+"""During a lesson: the buttons, whose turn it is, and what was recorded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QKeySequence, QShortcut
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from ...core.wording import example_words
+from ...engine.snapshots import Snapshot
+from .adding import AddList
+from .button import BehaviorButton, Ring
+from .choices import Choice, choices_of, examples_by_label
+from .flow import ButtonFlow, Rows
+from .pupils import called
+from .target_row import TargetRow
+from .told import Told
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+
+class LessonPage(QWidget):
+    """What can be picked now.
+
+    Attributes:
+        buttons: By what they pick: the id of a state, or the name of what is no state yet.
+        choices: All that can be picked.
+    """
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self._teaching = studio.teaching
+        self.choices: tuple[Choice, ...] = ()
+        self.buttons: dict[str, BehaviorButton] = {}
+        self._shortcuts: list[QShortcut] = []
+        self._built_from: tuple[object, ...] = ()
+        self._shown_state: tuple[object, ...] = ()
+        self.flow = ButtonFlow()
+        self.add = QToolButton()
+        self.add.setText("+ add behavior")
+        self.add.setFixedHeight(40)
+        self.add.setToolTip("Pick a behavior or a flag that is no state yet; it becomes one")
+        self.add.clicked.connect(self.open_list)
+        self.list = AddList(self)
+        self.list.chosen.connect(self.choose)
+        self.turn = QLabel()
+        self.next = self._action_button("teach.next")
+        self.mend = self._action_button("teach.mend")
+        self.badge = QLabel()
+        self.badge.setObjectName("badge")
+        self._teaching.choosing.changed.connect(self._make_room)  # before the row takes it
+        self.targets = TargetRow(studio)
+        self.last = Told(studio.theme)
+        self.options = self._options_button()
+        self._lay_out()
+        self._connect()
+
+    def _lay_out(self) -> None:
+        second = QHBoxLayout()
+        second.setSpacing(8)
+        for widget in (self.turn, self.next, self.targets):
+            second.addWidget(widget)
+        second.addWidget(self.last, 1)
+        for widget in (self.mend, self.badge, self.options):
+            second.addWidget(widget)
+        self.rows = Rows(self.flow)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setSpacing(6)
+        layout.addWidget(self.rows)
+        layout.addLayout(second)
+        layout.addStretch(1)
+
+    def _connect(self) -> None:
+        studio = self._studio
+        studio.document.project_changed.connect(self.refresh)
+        studio.colors.changed.connect(self._rebuild)
+        studio.theme.changed.connect(self._rebuild)
+        studio.settings.changed.connect(self._rebuild)
+        studio.bridge.mode_changed.connect(self.refresh)
+        studio.bridge.snapshot_changed.connect(self._snapshot_changed)
+        self._teaching.changed.connect(self.refresh)
+        self._teaching.choosing.changed.connect(self._tell)
+        self._dress()
+
+    def _action_button(self, action: str) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(self._studio.actions[action])
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setProperty("flat", "true")
+        return button
+
+    def _options_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setText("⋯")
+        button.setProperty("flat", "true")
+        button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        button.setToolTip("How the lesson goes: what others do, and whether a pick steps on")
+        button.setAccessibleName("Options of the lesson")
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(button)
+        menu.setToolTipsVisible(True)
+        for action in ("teach.others", "teach.steps_on", "teach.stop"):
+            menu.addAction(self._studio.actions[action])
+        button.setMenu(menu)
+        return button
+
+    # ------------------------------------------------------------------------------------------ picking
+
+    def choose(self, choice: Choice) -> None:
+        """Pick; where slots are open, ask for their targets first."""
+        if choice.slots:
+            self._teaching.choosing.add(choice)
+        else:
+            self._teaching.choosing.cancel()
+            self._teaching.pick(choice.state or choice.content)
+
+    def open_list(self) -> None:
+        """Show all that can be added."""
+        new = [(choice, self._color(choice)) for choice in self.choices if not choice.state]
+        self.list.open(new, self.add.mapToGlobal(QPoint(0, self.add.height() + 4)))
+
+    def answers(self, states: list[str]) -> list[BehaviorButton]:
+        """Buttons of their own for some states."""
+        found = {choice.state: choice for choice in self.choices if choice.state}
+        return [self._button(found[state]) for state in states if state in found]
+
+    # ------------------------------------------------------------------------------------------ showing
+
+    def refresh(self) -> None:
+        """Show what is other now."""
+        automaton, key, lesson = self._teaching.automaton, self._teaching.key, self._teaching.lesson
+        if automaton is None or key is None or lesson is None:
+            self._leave()
+            return
+        library, vocabulary = (
+            self._studio.document.project.library(key.type),
+            self._studio.document.vocabulary(key.type),
+        )
+        built_from = (
+            key,
+            automaton.states,
+            [(a.id, a.name, a.parameters, a.nested()) for a in library.automata.values()],
+        )
+        if built_from != self._built_from:
+            self._built_from = built_from
+            self.choices = choices_of(automaton, library, vocabulary, self._reserved())
+            self._build()
+        self._count()
+        self._tell()
+        self._show_state(force=True)
+
+    def _leave(self) -> None:
+        for shortcut in self._shortcuts:
+            shortcut.setEnabled(False)
+            shortcut.deleteLater()
+        self._shortcuts, self._built_from = [], ()
+
+    def _reserved(self) -> set[str]:
+        """Keys without modifiers that are shortcuts of actions."""
+        actions = self._studio.actions
+        return {actions.keys_of(action_id) for action_id in actions.rows}
+
+    def _rebuild(self, *_: object) -> None:
+        self._built_from = ()
+        self._dress()
+        self.refresh()
+
+    def _build(self) -> None:
+        for button in self.buttons.values():
+            button.hide()
+            button.deleteLater()
+        self._leave_shortcuts()
+        shown = [choice for choice in self.choices if choice.state or choice.kind != "flag"]
+        self.buttons = {choice.state or choice.name: self._button(choice) for choice in shown}
+        for choice in self.choices:
+            if choice.key:
+                self._shortcuts.append(self._shortcut(choice))
+        states = [self.buttons[choice.state] for choice in shown if choice.state]
+        new = [self.buttons[choice.name] for choice in shown if not choice.state]
+        self.flow.hold(states, new, (self.add,))
+
+    def _leave_shortcuts(self) -> None:
+        built = self._built_from
+        self._leave()
+        self._built_from = built
+
+    def _button(self, choice: Choice) -> BehaviorButton:
+        name = choice.name + ("…" if choice.slots else "")
+        button = BehaviorButton(self._studio.theme, name, self._color(choice), choice.key)
+        button.dress(ghost=not choice.state)
+        what = choice.doc or choice.name
+        button.setToolTip(f"{what} ({choice.key})" if choice.key else what)
+        button.clicked.connect(lambda: self.choose(choice))
+        return button
+
+    def _shortcut(self, choice: Choice) -> QShortcut:
+        shortcut = QShortcut(QKeySequence(choice.key), self)
+        shortcut.setAutoRepeat(False)
+        shortcut.activated.connect(lambda: self.choose(choice))
+        return shortcut
+
+    def _color(self, choice: Choice) -> QColor:
+        key = self._teaching.key
+        return self._studio.colors.color(key.type if key else "", choice.automaton)
+
+    def _count(self) -> None:
+        key = self._teaching.key
+        if key is None:
+            return
+        examples = self._studio.document.project.examples_of(key.type, key.id)
+        counts = examples_by_label(examples)
+        in_start = self._teaching.state in ("", "start")
+        for choice in self.choices:
+            button = self.buttons.get(choice.state or choice.name)
+            if button is None:
+                continue
+            count = counts.get(choice.state, 0) if choice.state else 0
+            told = f"{count} example{'' if count == 1 else 's'}" if choice.state else ""
+            button.dress(caption=told, ghost=not choice.state, dimmed=bool(choice.raises) and in_start)
+        self.badge.setText(f"{len(examples)} example{'' if len(examples) == 1 else 's'}")
+        self.flow.arrange()
+
+    def _tell(self) -> None:
+        """What was recorded last, whose turn it is."""
+        teaching, snapshot = self._teaching, self._studio.snapshot
+        nodes = teaching.nodes
+        if snapshot is not None:
+            at = (
+                f"{nodes.index(teaching.node) + 1} of {len(nodes)}: "
+                if teaching.node in nodes[:] and len(nodes) > 1
+                else ""
+            )
+            self.turn.setText(at + called(snapshot.place, teaching.node))
+        adding = teaching.choosing.adding is not None  # which needs the room
+        self.turn.setVisible(not adding)
+        self.next.setVisible(len(nodes) > 1 and not adding)
+        self.mend.setVisible(teaching.lesson is not None and teaching.lesson.testing and not adding)
+        self.badge.setVisible(not adding)
+        self.last.setText(self._last_words())
+
+    def _make_room(self) -> None:
+        """Hide what is not needed while targets of a new state are chosen."""
+        if self._teaching.choosing.adding is not None:
+            for widget in (self.turn, self.next, self.mend, self.badge):
+                widget.hide()
+
+    def _last_words(self) -> str:
+        teaching, document = self._teaching, self._studio.document
+        key, automaton = teaching.key, teaching.automaton
+        if teaching.last is None or key is None or automaton is None:
+            return "" if teaching.lesson is None or teaching.lesson.testing else "Pick what it is to do."
+        recorded = teaching.last.recorded
+        if not recorded.examples:
+            return "Nothing to learn from this pick: what raises a flag is not left by choice."
+        said = example_words(
+            recorded.examples[0],
+            automaton,
+            document.project.library(key.type),
+            document.scenario.vocabulary,
+        )
+        return f"Last: {said}"
+
+    def _snapshot_changed(self, _snapshot: Snapshot) -> None:
+        if self._teaching.lesson is not None and self.isVisible():
+            self._show_state()
+
+    def _show_state(self, *, force: bool = False) -> None:
+        """Ring what the node does."""
+        teaching = self._teaching
+        lesson = teaching.lesson
+        if lesson is None:
+            return
+        taught = teaching.node in lesson.taught or not lesson.testing
+        shown = (teaching.node, teaching.state, teaching.picked, taught)
+        if shown == self._shown_state and not force:
+            return
+        if shown[:2] != self._shown_state[:2]:
+            self._shown_state = shown
+            self._count()
+        self._shown_state = shown
+        for state, button in self.buttons.items():
+            ring = Ring.NOW if state == teaching.state else Ring.NONE
+            if state == teaching.picked and ring is Ring.NONE:
+                ring = Ring.NEXT
+            button.show_ring(ring, "teach" if taught else "accent")
+
+    def _dress(self) -> None:
+        colors = self._studio.theme.palette
+        self.badge.setStyleSheet(
+            f"#badge {{ color: {colors.dim}; font-size: 11px; border: 1px solid {colors.hairline};"
+            " border-radius: 9px; padding: 1px 8px; }"
+        )
+        self.add.setStyleSheet(
+            f"QToolButton {{ border: 1px dashed {colors.hairline}; border-radius: 8px; background: transparent;"
+            f" color: {colors.dim}; padding: 0 12px; }}"
+            f" QToolButton:focus, QToolButton:hover {{ border-color: {colors.accent}; color: {colors.text}; }}"
+        )

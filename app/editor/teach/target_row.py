@@ -1,0 +1,140 @@
+"""What each parameter means: from a menu, or by a click in the world."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QCursor
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
+
+from ...core.features import Binding, Ground
+from ..icons import icon
+from .pupils import entity_called
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+    from .choosing import Choosing
+
+
+class TargetRow(QWidget):
+    """A line of slots: "X is [nearest visible box]  or click it in the world"."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self._choosing: Choosing = studio.teaching.choosing
+        self._layout = QHBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(6)
+        self._shown: tuple[object, ...] = ()
+        self.menus: dict[str, QToolButton] = {}
+        self.clicks: dict[str, QToolButton] = {}
+        self.cancel: QToolButton | None = None
+        self._choosing.changed.connect(self.refresh)
+        self._choosing.several.connect(self._offer)
+        studio.teaching.changed.connect(self.refresh)
+        studio.document.project_changed.connect(self.refresh)
+        studio.opened.connect(self.refresh)
+        studio.selection.behavior_changed.connect(self.refresh)
+        studio.theme.changed.connect(self._rebuild)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the slots that there are, if they are others now."""
+        choosing = self._choosing
+        name = "" if choosing.adding is None else choosing.adding.name
+        slots = tuple((slot, choosing.bound(slot)) for slot in choosing.slots)
+        shown = (name, tuple((slot, _words(b)) for slot, b in slots), choosing.wanted)
+        if shown != self._shown:
+            self._shown = shown
+            self._rebuild()
+
+    def _rebuild(self) -> None:
+        while (item := self._layout.takeAt(0)) is not None:
+            widget = item.widget()
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
+        self.menus, self.clicks, self.cancel = {}, {}, None
+        choosing = self._choosing
+        if choosing.adding is not None:
+            self._layout.addWidget(QLabel(f"New state {choosing.adding.name}:"))
+        for slot in choosing.slots:
+            self._add_slot(slot)
+        if choosing.is_busy:
+            self.cancel = self._flat("Cancel", "Choose nothing (Esc)")
+            self.cancel.clicked.connect(choosing.cancel)
+            self._layout.addWidget(self.cancel)
+        self.setVisible(bool(choosing.slots))
+
+    def _add_slot(self, slot: str) -> None:
+        caption = QLabel(f"{slot} is")
+        caption.setProperty("role", "caption")
+        self._layout.addWidget(caption)
+        bound = self._choosing.bound(slot)
+        button = QToolButton()
+        button.setText(_words(bound) or "choose…")
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.setAccessibleName(f"What {slot} is")
+        button.setToolTip(f"Choose what {slot} is from all targets")
+        menu = QMenu(button)
+        menu.setToolTipsVisible(True)
+        menu.aboutToShow.connect(lambda: self._fill(menu, slot))
+        button.setMenu(menu)
+        self.menus[slot] = button
+        self._layout.addWidget(button)
+        if self._choosing.wanted == slot:
+            told = QLabel("click it in the world…")
+            told.setProperty("role", "caption")
+            self._layout.addWidget(told)
+            return
+        click = self._flat("or click it in the world", f"Choose what {slot} is by a click on it")
+        click.setIcon(icon("crosshairs-gps", self._studio.theme, "dim"))
+        click.clicked.connect(lambda: self._choosing.ask_for(slot))
+        self.clicks[slot] = click
+        self._layout.addWidget(click)
+
+    def _flat(self, text: str, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.setToolTip(tip)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setProperty("flat", "true")
+        return button
+
+    def _fill(self, menu: QMenu, slot: str) -> None:
+        menu.clear()
+        for binding in self._choosing.options():
+            menu.addAction(self._option(menu, slot, binding))
+
+    def _option(self, menu: QMenu, slot: str, binding: Binding) -> QAction:
+        words = _words(binding)
+        action = QAction(words, menu)
+        action.setObjectName(words)
+        snapshot, meanings = self._studio.snapshot, self._choosing.meanings()
+        if isinstance(binding, Ground) and snapshot is not None and binding.target in meanings:
+            entity = meanings[binding.target]
+            now = "nobody now" if entity < 0 else entity_called(snapshot.place, entity)
+            action.setText(f"{words}   ({now})")
+        if isinstance(binding, Ground) and self._studio.teaching.key is not None:
+            vocabulary = self._studio.document.vocabulary(self._studio.teaching.key.type)
+            action.setToolTip(vocabulary.targets[binding.target].doc)
+        action.setCheckable(True)
+        action.setChecked(binding == self._choosing.bound(slot))
+        action.triggered.connect(lambda: self._choosing.bind(slot, binding))
+        return action
+
+    def _offer(self, slot: str, names: tuple[str, ...]) -> None:
+        """A click means several targets: which of them?"""
+        menu = QMenu(self)
+        for name in names:
+            menu.addAction(self._option(menu, slot, Ground(name)))
+        menu.aboutToHide.connect(menu.deleteLater)
+        menu.popup(QCursor.pos())
+
+
+def _words(binding: Binding | None) -> str:
+    if binding is None:
+        return ""
+    return binding.target if isinstance(binding, Ground) else f"{binding.name} (its own parameter)"

@@ -1,0 +1,1 @@
+"""The decision tree of the state that is shown."""

@@ -1,0 +1,447 @@
+"""The decision tree of the state that is shown."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSpinBox,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.automaton import Cut, Refit
+from ...core.conditions import AtMost, InArc
+from ...core.cuts import with_cuts
+from ...core.phrasing import number
+from ...core.tree import Branch, Forest, Tree
+from ...engine.snapshots import WatchedLevel
+from ...learner.registry import METHODS
+from ..diagram.label_colors import state_colors
+from .preview import Answer, Preview, Question
+from .pruning import Pruning
+from .reaching import Reaching
+from .rows import tree_rows
+from .rules import RuleList
+from .scene import TreeScene
+from .shape import Key, lit
+from .subject import Subject
+from .tools import Tools
+from .view import TreeView
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Milliseconds between two looks at what the selected node sees.
+LIVE = 33
+
+
+class TreePanel(QWidget):
+    """The decision tree of the state that is shown.
+
+    Attributes:
+        subject: What is shown; None without a behavior.
+        scene, view: The tree, and what it is seen through.
+        which: Chooses a tree of a forest.
+
+    Signals:
+        title_changed: The dock is to be called otherwise.
+        refreshed: What is shown is up to date.
+    """
+
+    title_changed = Signal(str)
+    refreshed = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self.studio = studio
+        self.subject: Subject | None = None
+        self._shown: tuple[object, ...] = ()
+        self._place: tuple[object, ...] = ()
+        self._reaching: tuple[tuple[object, ...], Reaching] | None = None
+        self.scene = TreeScene(studio.theme)
+        self.view = TreeView(self.scene, studio.theme)
+        self.rules = RuleList(studio)
+        self.tools = Tools(studio)
+        self.pruning = Pruning(studio)
+        self.preview = Preview()
+        self.previewed: Tree | None = None
+        self._preview_of: object = None
+        self.menu: QMenu | None = None
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self.refresh)
+        self._live = QTimer(self, interval=LIVE, singleShot=True)
+        self._live.timeout.connect(self._follow)
+        studio.actions.add(tree_rows(self))
+        self._build()
+        self._connect()
+
+    @property
+    def message(self) -> str:
+        """What is said where there is no tree."""
+        return self._message.text()
+
+    def _build(self) -> None:
+        self._states = QComboBox()
+        self._states.setAccessibleName("State whose decisions are shown")
+        self._states.setToolTip("The state whose decisions are shown")
+        self.which = QSpinBox()
+        self.which.setPrefix("tree ")
+        self.which.setAccessibleName("Tree of the forest")
+        self.which.setToolTip("Which tree of the forest is shown")
+        top = QHBoxLayout()
+        top.setContentsMargins(8, 4, 8, 0)
+        top.addWidget(QLabel("from"))
+        top.addWidget(self._states, 1)
+        top.addWidget(self.which)
+        for action in ("tree.fit",):
+            button = QToolButton()
+            button.setProperty("flat", "true")
+            button.setDefaultAction(self.studio.actions[action])
+            button.setAccessibleName(self.studio.actions.rows[action].text)
+            top.addWidget(button)
+        self._message = QLabel()
+        self._message.setProperty("role", "empty")
+        self._message.setWordWrap(True)
+        self._message.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._message.setContentsMargins(10, 10, 10, 10)
+        self._pages = QStackedLayout()
+        self._pages.addWidget(self._message)
+        self._pages.addWidget(self.view)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(4)
+        self._column.addLayout(top)
+        self._column.addWidget(self.rules)
+        self._column.addLayout(self._pages, 1)
+        self._column.addWidget(self.tools)
+        self.setFocusProxy(self.view)
+
+    def _connect(self) -> None:
+        studio = self.studio
+        for signal in (studio.opened, studio.colors.changed, studio.theme.changed):
+            signal.connect(self._dress)
+        studio.document.project_changed.connect(lambda *_: self.touch())
+        studio.selection.behavior_changed.connect(self.touch)
+        studio.selection.state_changed.connect(self.touch)
+        studio.selection.nodes_changed.connect(self._live_soon)
+        studio.bridge.snapshot_changed.connect(self._live_soon)
+        self._states.activated.connect(
+            lambda place: studio.selection.select_state(self._states.itemData(place))
+        )
+        self.which.valueChanged.connect(lambda _: self.touch())
+        self.view.chosen.connect(self.choose)
+        self.view.toggled.connect(self._toggle)
+        self.view.removed.connect(self.prune)
+        self.view.menu_wanted.connect(self._menu)
+        self.tools.opened.connect(self._show_tools)
+        cut, confidence = self.tools.cut, self.tools.confidence
+        cut.dragged.connect(self._cut_dragged)
+        cut.dropped.connect(self._cut_dropped)
+        cut.cancelled.connect(self._dress)
+        cut.settled.connect(studio.document.end_gesture)
+        confidence.dragged.connect(self._ask_preview)
+        confidence.dropped.connect(lambda found: self._keep_confidence(found, ""))
+        confidence.stepped.connect(lambda found: self._keep_confidence(found, "pruning confidence"))
+        confidence.settled.connect(studio.document.end_gesture)
+        self.preview.came.connect(self._previewed)
+
+    # ------------------------------------------------------------------------------------------- what is shown
+
+    def touch(self) -> None:
+        """Something that is shown has changed."""
+        if self.isVisible():
+            self._soon.start()
+
+    def _dress(self) -> None:
+        self._shown = ()
+        self.touch()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what happened meanwhile."""
+        super().showEvent(event)
+        self._soon.start()
+
+    def refresh(self) -> None:
+        """Show everything as it is now."""
+        selection, project = self.studio.selection, self.studio.document.project
+        key = selection.behavior
+        automaton = None if key is None else self.studio.document.automaton(key.type, key.id)
+        if key is None or automaton is None:
+            made_of: tuple[object, ...] = ("",)
+        else:
+            library, examples = project.library(key.type), project.examples_of(key.type, key.id)
+            made_of = (key, selection.state, automaton, library, examples, self.which.value())
+        if len(made_of) == len(self._shown) and all(
+            _same(a, b) for a, b in zip(made_of, self._shown, strict=True)
+        ):
+            return
+        other = made_of[:2] != self._place
+        self._shown, self._place = made_of, made_of[:2]
+        self._show(self._made_subject(), other=other)
+
+    def _made_subject(self) -> Subject | None:
+        selection, document = self.studio.selection, self.studio.document
+        key = selection.behavior
+        automaton = None if key is None else document.automaton(key.type, key.id)
+        if key is None or automaton is None or not automaton.has_state(selection.state):
+            return None
+        model = automaton.learned.get(selection.state)
+        with QSignalBlocker(self.which):
+            self.which.setRange(1, len(model.trees) if isinstance(model, Forest) else 1)
+        tree = model if isinstance(model, Tree) else None
+        if isinstance(model, Forest):
+            tree = model.trees[self.which.value() - 1]
+        return Subject(
+            key.type,
+            automaton,
+            selection.state,
+            document.project.library(key.type),
+            document.scenario.vocabulary,
+            tree,
+            self._examples(
+                automaton.features, document.project.examples_of(key.type, key.id), selection.state
+            ),
+            state_colors(automaton, key.type, self.studio.colors, self.studio.theme),
+        )
+
+    def _examples(self, features: tuple, examples: tuple, state: str) -> Reaching:
+        """The examples as arrays, made once."""
+        made_of = features, examples, state
+        if self._reaching is None or not all(
+            _same(a, b) for a, b in zip(made_of, self._reaching[0], strict=True)
+        ):
+            self._reaching = made_of, Reaching(examples, state, [use.id for use in features])
+        return self._reaching[1]
+
+    def _show(self, subject: Subject | None, *, other: bool) -> None:
+        self.subject = subject
+        if other:
+            self.previewed = None
+            self.scene.forget_opened()
+            self.view.is_fitted = True
+        self._show_states(subject)
+        self.which.setVisible(subject is not None and subject.trees > 1)
+        self.rules.show_subject(subject)
+        self.scene.build(self._as_previewed(subject))
+        self._show_tools()
+        self._message.setText(self._explanation())
+        self._pages.setCurrentIndex(1 if subject is not None and subject.tree is not None else 0)
+        title = "Decision tree" if subject is None else f"Decision tree · from {subject.name(subject.state)}"
+        self.title_changed.emit(title)
+        self._follow()
+        self.view.changed()
+        self.studio.touch()
+        self.refreshed.emit()
+
+    def _show_states(self, subject: Subject | None) -> None:
+        with QSignalBlocker(self._states):
+            self._states.clear()
+            if subject is not None:
+                for state in subject.automaton.states:
+                    self._states.addItem(subject.name(state.id), state.id)
+            self._states.setCurrentIndex(self._states.findData(self.studio.selection.state))
+
+    def _explanation(self) -> str:
+        """Why there is no tree, and what to do."""
+        subject = self.subject
+        if subject is None:
+            return "Choose a behavior in the library to see how it decides."
+        name = subject.name(subject.state)
+        if isinstance(subject.model, Refit):
+            said = f"The {subject.model.classifier} model of {name} has no tree; it is refitted from the examples."
+            return f"{said} {self._outcome_now()}".strip()
+        if subject.automaton.rules_of(subject.state):
+            return f"{name} has learned nothing; its rules decide, and what they leave stays."
+        return f"{name} has learned nothing yet, so it stays for ever. Teach it, or add a rule."
+
+    # -------------------------------------------------------------------------------------------------- live
+
+    def _live_soon(self, _snapshot: object = None) -> None:
+        if self.isVisible() and not self._live.isActive():
+            self._live.start()
+
+    def _level_now(self) -> WatchedLevel | None:
+        """The selected node's run of the automaton that is shown, if it is in the state that is shown."""
+        snapshot, subject = self.studio.snapshot, self.subject
+        watched = None if snapshot is None else snapshot.watched.get(self.studio.selection.node)
+        if watched is None or subject is None:
+            return None
+        for level in watched.levels:
+            if (level.type, level.automaton, level.state) == (
+                subject.type,
+                subject.automaton.id,
+                subject.state,
+            ):
+                return level
+        return None
+
+    def _follow(self) -> None:
+        level, subject = self._level_now(), self.subject
+        if subject is None or subject.tree is None:
+            if subject is not None and isinstance(subject.model, Refit):
+                self._message.setText(self._explanation())
+            return
+        keys: tuple[Key, ...] = ()
+        if level is not None:
+            try:
+                keys = lit(subject.tree, level.values.__getitem__)
+            except KeyError:  # a feature that cannot be told now, or that the world does not know yet
+                keys = ()
+        self.scene.light(keys)
+
+    def _outcome_now(self) -> str:
+        level = self._level_now()
+        subject = self.subject
+        if level is None or subject is None or not level.outcome:
+            return "Select an agent that is in this state to see what it says."
+        said = ", ".join(f"{subject.name(state)} {number(100 * p)}%" for state, p in level.outcome)
+        return f"Now it says: {said}."
+
+    # ------------------------------------------------------------------------------------------------ choosing
+
+    def choose(self, key: Key) -> None:
+        """Select a node, and with it the examples that reach it."""
+        self.scene.choose(key)
+        if self.subject is not None and key:
+            self.studio.selection.select_examples(self.subject.examples(key))
+        self._show_tools()
+        self.studio.touch()
+
+    def _toggle(self, key: Key) -> None:
+        self.scene.toggle(key)
+        self._follow()
+        self.view.changed()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nobody looks: nothing is learned to be looked at."""
+        super().hideEvent(event)
+        self._soon.stop()
+        self._live.stop()
+        self.preview.close()
+
+    # ------------------------------------------------------------------------------------------------ pruning
+
+    def prune(self) -> None:
+        """Prune the leaf or the subtree that is selected."""
+        if self.subject is not None and self.scene.chosen:
+            self.pruning.below(self.subject, self.scene.chosen)
+
+    def take_back(self) -> None:
+        """Take back the prunes at the node that is selected."""
+        if self.subject is not None and self.scene.chosen:
+            self.pruning.take_back(self.subject, self.scene.chosen)
+
+    def _menu(self, at: QPoint) -> None:
+        subject = self.subject
+        if subject is None or not self.scene.chosen:
+            return
+        key = self.scene.chosen
+        menu = self.menu = QMenu(self)
+        for action in ("tree.prune", "tree.take_back"):
+            menu.addAction(self.studio.actions[action])
+        menu.addSeparator()
+        for label in subject.labels_at(key):
+            menu.addAction(f"Never to {subject.name(label)} here").triggered.connect(
+                lambda _checked, label=label: self.pruning.label(subject, key, label)
+            )
+        menu.addSeparator()
+        menu.addAction(self.studio.actions["tree.histogram"])
+        self.studio.actions.refresh()
+        menu.popup(at)
+
+    # ------------------------------------------------------------------------------------- below the tree
+
+    def _show_tools(self) -> None:
+        subject = self.subject
+        self.tools.prunes.show_subject(subject)
+        self.tools.count_prunes()
+        settings = subject.automaton.settings if subject is not None else None
+        prunes = settings is not None and _can_prune(settings.classifier)
+        confidence = settings.pruning_confidence if settings is not None else None
+        self.tools.confidence.show_confidence(confidence, possible=prunes)
+        found = (
+            subject.histogram(self.scene.chosen) if subject is not None and self.tools.page == "cut" else None
+        )
+        if found is None or subject is None:
+            self.tools.cut.show_test(None, None, None, None)
+        else:
+            self.tools.cut.show_test(subject, *found, subject.feature_of(found[1]))
+
+    def _cut_dragged(self, test: AtMost | InArc) -> None:
+        """Show the tree as it would be; the project does not know of it yet."""
+        subject, key = self.subject, self.scene.chosen
+        if subject is not None and subject.tree is not None:
+            tree = with_cuts(subject.tree, [Cut("", subject.state, subject.path(key), test)])
+            self.scene.build(replace(subject, tree=tree))
+            self._follow()
+
+    def _cut_dropped(self, test: AtMost | InArc) -> None:
+        if self.subject is not None and self.scene.chosen:
+            key = self.scene.chosen
+            gesture = "" if not self.tools.cut.hasFocus() else f"cut {self.subject.state} {key}"
+            self.pruning.cut(self.subject, key, test, gesture)
+
+    # ------------------------------------------------------------------------------------- pruning confidence
+
+    def _ask_preview(self, confidence: float | None) -> None:
+        subject = self.subject
+        if subject is None:
+            return
+        project = self.studio.document.project
+        examples = project.examples_of(subject.type, subject.automaton.id)
+        vocabulary = self.studio.document.scenario.vocabulary
+        self.preview.ask(Question(subject.automaton, subject.state, examples, vocabulary, confidence))
+
+    def _previewed(self, answer: Answer) -> None:
+        subject = self.subject
+        same = subject is not None and answer.question.automaton is subject.automaton
+        if not same or subject is None or answer.question.state != subject.state:
+            return
+        if answer.tree is None or subject.tree is None:
+            self.tools.confidence.tell(answer.problem or "There is no tree to prune in this state.")
+            return
+        self.previewed, self._preview_of = answer.tree, subject.model
+        before, after = _tests(subject.tree), _tests(answer.tree)
+        self.tools.confidence.tell(
+            f"{before} test{'' if before == 1 else 's'} in the tree now, {after} then."
+        )
+        self.scene.build(self._as_previewed(subject))
+        self._follow()
+        self.view.changed()
+
+    def _as_previewed(self, subject: Subject | None) -> Subject | None:
+        """What is shown of a subject: the previewed tree, until what is learned is another one."""
+        if subject is None or self.previewed is None or subject.model is not self._preview_of:
+            self.previewed = None
+            return subject
+        return replace(subject, tree=self.previewed)
+
+    def _keep_confidence(self, confidence: float | None, gesture: str) -> None:
+        if self.subject is not None:
+            self.pruning.confidence(self.subject, confidence, gesture)
+            if self.subject.automaton.settings.pruning_confidence == confidence:
+                self.previewed = None
+                self._dress()
+
+
+def _same(a: object, b: object) -> bool:
+    """Whether two parts are one and the same; small ones are compared."""
+    return a is b or (not isinstance(a, tuple) and a.__class__ in (str, int) and a == b)
+
+
+def _can_prune(classifier: str) -> bool:
+    return classifier in METHODS and METHODS[classifier].prunes
+
+
+def _tests(tree: Tree) -> int:
+    return sum(isinstance(node, Branch) for node in tree.nodes())

@@ -1,0 +1,143 @@
+"""The panels of the window as a table, and the docks that they stand in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QTabWidget, QWidget
+
+from ..agents.panel import AgentsPanel
+from ..examples.panel import ExamplesPanel
+from ..graph.panel import GraphPanel
+from ..inspector.panel import InspectorPanel
+from ..library.panel import LibraryPanel
+from ..plots.panel import PlotsPanel
+from ..problems.panel import ProblemsPanel
+from ..teach.panel import TeachPanel
+from ..tree.panel import TreePanel
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+Area = Qt.DockWidgetArea
+#: Pixels that the left and right columns get at first.
+LEFT, RIGHT = 252, 372
+
+
+@dataclass(frozen=True, slots=True)
+class DockRow:
+    """One panel.
+
+    Attributes:
+        id: Stable: the window's state is kept by it.
+        make: Makes the panel for a studio.
+        under: The panel that it stands below in the same area; empty for the first.
+        tab_of: The panel that it shares a place with, as a tab.
+        keys: Shortcut that brings it to the front.
+        height: Pixels that it gets at first, where several stand below each other.
+    """
+
+    id: str
+    title: str
+    make: Callable[[Studio], QWidget]
+    area: Area
+    under: str = ""
+    tab_of: str = ""
+    keys: str = ""
+    height: int = 0
+
+
+DOCKS: tuple[DockRow, ...] = (
+    DockRow("library", "Library", LibraryPanel, Area.LeftDockWidgetArea, keys="Alt+1", height=430),
+    DockRow(
+        "agents", "Agents", AgentsPanel, Area.LeftDockWidgetArea, under="library", keys="Alt+2", height=270
+    ),
+    DockRow("graph", "Automaton", GraphPanel, Area.RightDockWidgetArea, keys="Alt+3", height=320),
+    DockRow(
+        "tree", "Decision tree", TreePanel, Area.RightDockWidgetArea, under="graph", keys="Alt+4", height=220
+    ),
+    DockRow(
+        "inspector", "Why", InspectorPanel, Area.RightDockWidgetArea, under="tree", keys="Alt+5", height=170
+    ),
+    DockRow("teach", "Teach", TeachPanel, Area.BottomDockWidgetArea, keys="Alt+6", height=104),
+    DockRow(
+        "examples",
+        "Examples",
+        ExamplesPanel,
+        Area.BottomDockWidgetArea,
+        under="teach",
+        keys="Alt+7",
+        height=190,
+    ),
+    DockRow("plots", "Plots", PlotsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+9"),
+    DockRow(
+        "problems", "Problems", ProblemsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+8"
+    ),
+)
+
+
+class Dock(QDockWidget):
+    """A dock with a quiet title."""
+
+    def __init__(self, row: DockRow, panel: QWidget) -> None:
+        super().__init__(row.title)
+        self.setObjectName(row.id)
+        self.row = row
+        self.setWidget(panel)
+        self.title = _Title(row.title)
+        self._no_title = QWidget()
+        self.setTitleBarWidget(self.title)
+        for part in (panel, self.title):
+            # The style sheet paints the ground of panels.
+            part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        if hasattr(panel, "title_changed"):
+            panel.title_changed.connect(self.setWindowTitle)
+        self.windowTitleChanged.connect(self.title.label.setText)
+
+    def fold_title(self, *, folded: bool) -> None:
+        """Show no title, or show it: where docks are tabs, the tab says it already."""
+        wanted = self._no_title if folded else self.title
+        if self.titleBarWidget() is not wanted:
+            self.titleBarWidget().hide()
+            self.setTitleBarWidget(wanted)
+            wanted.show()
+
+
+class _Title(QWidget):
+    """Only words; it can be dragged as any title bar can."""
+
+    def __init__(self, title: str) -> None:
+        super().__init__()
+        self.label = QLabel(title)
+        self.label.setProperty("role", "title")
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(10, 6, 8, 5)
+        layout.addWidget(self.label)
+
+
+def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
+    """Make all panels and put their docks where they stand at first."""
+    docks: dict[str, Dock] = {}
+    window.setTabPosition(Area.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+    for row in DOCKS:
+        dock = Dock(row, row.make(studio))
+        docks[row.id] = dock
+        window.addDockWidget(row.area, dock)
+        if row.under:
+            way = Qt.Orientation.Vertical
+            window.splitDockWidget(docks[row.under], dock, way)
+        if row.tab_of:
+            window.tabifyDockWidget(docks[row.tab_of], dock)
+            docks[row.tab_of].raise_()
+    return docks
+
+
+def size_docks(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+    """Give docks the sizes that they have at first; only a window on the screen can."""
+    sized = [row for row in DOCKS if row.height]
+    heights = [row.height for row in sized]
+    window.resizeDocks([docks[row.id] for row in sized], heights, Qt.Orientation.Vertical)
+    window.resizeDocks([docks["library"], docks["graph"]], [LEFT, RIGHT], Qt.Orientation.Horizontal)

@@ -1,0 +1,284 @@
+"""The main window: the canvas in the middle, docks around it, menus and bars from the table of actions."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
+
+from ..actions import MENUS, ActionRow, when_open
+from ..canvas.view import WorldCanvas
+from ..command_palette.catalog import Catalog, Entry, catalog_of
+from ..command_palette.field import SearchField, palette_rows
+from ..command_palette.palette import Palette
+from ..documents.busy import BusyPage
+from ..documents.files import Files
+from ..documents.recent_menu import RecentMenu
+from ..documents.welcome import WelcomePage
+from ..experiments.rows import Experiments
+from ..guide.card import Guide, guide_rows
+from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
+from ..teach.ask_control import AskControl
+from .docks import DOCKS, Dock, place_docks, size_docks
+from .messages import MessageBar
+from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
+from .status_bar import StatusBar
+from .toolbar import Toolbar
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+SIZE = QSize(1440, 900)
+MESSAGE_WIDTH = 620
+
+
+class MainWindow(QMainWindow):
+    """The window.
+
+    Attributes:
+        canvas: The live picture of the world.
+        docks: The docks by the ids of their panels.
+        files: Opens and saves projects.
+        messages: Tells the user what happened.
+
+    Signals:
+        closed: The user is done.
+    """
+
+    closed = Signal()
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self.studio = studio
+        self.setObjectName("studio")
+        self.setDockOptions(
+            QMainWindow.DockOption.AllowNestedDocks
+            | QMainWindow.DockOption.AllowTabbedDocks
+            | QMainWindow.DockOption.AnimatedDocks
+        )
+        self.setCorner(Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        self.speed = Speed()
+        self.files = Files(studio, self)
+        self.experiments = Experiments(studio, self)
+        self._may_close = False
+        self.palette_search = Palette(studio, self, self._catalog)
+        studio.actions.add(
+            (
+                *self.files.rows(),
+                *edit_rows(),
+                *view_rows(),
+                *teach_rows(),
+                *time_rows(self.speed),
+                *self.experiments.rows(),
+            )
+        )
+        studio.actions.add((*preference_rows(self), *palette_rows(self.palette_search)))
+        self.canvas = WorldCanvas(studio)
+        self.welcome = WelcomePage(studio)
+        self.welcome.chosen.connect(self.files.open)
+        self.busy = BusyPage(self.files)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.welcome)
+        self._pages.addWidget(self.busy)
+        self._pages.addWidget(self.canvas)
+        self.setCentralWidget(self._pages)
+        self.resize(SIZE)
+        self.docks = place_docks(self, studio)
+        for dock in self.docks.values():
+            for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
+                signal.connect(self._fold_titles)
+        studio.actions.add(self._dock_rows())
+        self.toolbar = Toolbar(studio, self.speed)
+        self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
+        self.addToolBar(self.toolbar)
+        self.setStatusBar(StatusBar(studio))
+        self.messages = MessageBar(studio, self._pages)
+        self._pages.installEventFilter(self)
+        self.guide = Guide(self, self._pages)
+        studio.actions.add(guide_rows(self.guide))
+        self._build_menus()
+        self.recent = RecentMenu(self.files, self.menuBar())
+        self.search_field = SearchField(studio)
+        self.menuBar().setCornerWidget(self.search_field)
+        self.search_field.show()  # the bar alone would leave it hidden
+        self._standard = self.saveState()
+        studio.opened.connect(self._opened)
+        studio.document.history_changed.connect(self._titled)
+        studio.show_panel.connect(self.show_panel)
+        studio.world_wanted.connect(self.come_to_front)
+        self.files.waiting.connect(self._waiting)
+        self._restore()
+        self._opened()
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocus()  # rather than a field, which would take keys that are shortcuts
+
+    # ----------------------------------------------------------------------------------------- docks, menus
+
+    def show_panel(self, panel: str) -> None:
+        """Bring a panel to the front."""
+        dock = self.docks[panel]
+        dock.show()
+        dock.raise_()
+        dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _catalog(self) -> Catalog:
+        """All that the command palette finds now."""
+        settings = [
+            Entry("setting", text, about, do=partial(open_preferences, self.studio, self, name))
+            for name, text, about in SETTINGS
+        ]
+        recent = [
+            Entry("project", folder.name, str(folder), do=partial(self.files.open, folder))
+            for folder in self.studio.settings.recent
+        ]
+        return catalog_of(self.studio, settings, recent)
+
+    def come_to_front(self) -> None:
+        """Show the world, whatever window is in front of it."""
+        self.raise_()
+        self.activateWindow()
+
+    def standard_layout(self) -> None:
+        """Put all docks back where they stood at first."""
+        self.restoreState(self._standard)
+        for dock in self.docks.values():
+            dock.setVisible(self.studio.is_open)
+        self._size_docks_soon()
+
+    def _size_docks_soon(self) -> None:
+        """Docks that have just been shown take sizes only once they have been laid out."""
+        QTimer.singleShot(0, self, lambda: size_docks(self, self.docks))
+
+    def _fold_titles(self) -> None:
+        """Titles only where no tab says the same."""
+        for dock in self.docks.values():
+            dock.fold_title(folded=not dock.isFloating() and bool(self.tabifiedDockWidgets(dock)))
+
+    def _dock_rows(self) -> tuple[ActionRow, ...]:
+        return (
+            *(self._dock_row(self.docks[row.id]) for row in DOCKS),
+            ActionRow(
+                "view.standard",
+                "Standard layout",
+                "View",
+                lambda _: self.standard_layout(),
+                "panels",
+                tip="Put all panels back where they stood at first",
+                enabled=when_open,
+            ),
+        )
+
+    def _dock_row(self, dock: Dock) -> ActionRow:
+        row = dock.row
+
+        def toggle(_studio: Studio) -> None:
+            if dock.isVisible() and not dock.visibleRegion().isEmpty():
+                dock.hide()
+            else:
+                self.show_panel(row.id)
+
+        return ActionRow(
+            f"view.{row.id}",
+            row.title,
+            "View",
+            toggle,
+            "panels",
+            row.keys,
+            f"Show or hide the panel {row.title}",
+            enabled=when_open,
+            checked=lambda _: not dock.isHidden(),
+        )
+
+    def _build_menus(self) -> None:
+        menus: dict[str, QMenu] = {}
+        groups: dict[str, str] = {}
+        bar = self.menuBar()
+        bar.setNativeMenuBar(False)
+        for name in MENUS:
+            rows = [row for row in self.studio.actions.rows.values() if row.menu == name]
+            if rows:
+                menus[name] = bar.addMenu(name)
+                menus[name].setToolTipsVisible(True)
+            for row in sorted(rows, key=lambda row: [r.group for r in rows].index(row.group)):
+                if groups.setdefault(name, row.group) != row.group:
+                    menus[name].addSeparator()
+                    groups[name] = row.group
+                menus[name].addAction(self.studio.actions[row.id])
+        for action_id in self.studio.actions.rows:
+            self.addAction(self.studio.actions[action_id])  # shortcuts of actions in no menu work as well
+
+    # ------------------------------------------------------------------------------------------ the project
+
+    def _waiting(self, text: str) -> None:
+        standard = self.canvas if self.studio.is_open else self.welcome
+        self._pages.setCurrentWidget(self.busy if text else standard)
+        if text:
+            self.busy.cancel.setFocus()
+
+    def _opened(self) -> None:
+        is_open = self.studio.is_open
+        self._pages.setCurrentWidget(self.canvas if is_open else self.welcome)
+        self.toolbar.setVisible(is_open)
+        self.statusBar().setVisible(is_open)
+        if is_open:
+            self._restore()
+        else:
+            for dock in self.docks.values():
+                dock.hide()
+        self._titled()
+
+    def _titled(self) -> None:
+        document = self.studio.document
+        name = document.project.name
+        only = " (read-only)" if document.read_only else ""
+        self.setWindowTitle(f"{name}[*]{only} – Understudy" if name else "Understudy")
+        self.setWindowModified(self.studio.is_open and not document.is_saved)
+
+    # ------------------------------------------------------------------------------------------- the window
+
+    def _restore(self) -> None:
+        settings = self.studio.settings
+        if not settings.bytes_of("geometry").isEmpty():
+            self.restoreGeometry(settings.bytes_of("geometry"))
+        state = settings.bytes_of("state")
+        if state.isEmpty() or not self.restoreState(state):
+            self.standard_layout()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Docks get their first sizes once they are on the screen."""
+        super().showEvent(event)
+        if self.studio.settings.bytes_of("state").isEmpty():
+            self._size_docks_soon()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close once nothing can be lost by it."""
+        if not self._may_close:
+            event.ignore()
+            self.files.may_close(self._close)
+            return
+        settings = self.studio.settings
+        settings.keep("geometry", self.saveGeometry())
+        if self.studio.is_open:
+            settings.keep("state", self.saveState())
+        self.studio.shut_down()
+        event.accept()
+        self.closed.emit()
+
+    def _close(self) -> None:
+        self._may_close = True
+        QTimer.singleShot(0, self.close)  # Qt ignores a close within a close event
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep messages at the top of the canvas, in the middle."""
+        if watched is self._pages and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            self._place_messages()
+        return super().eventFilter(watched, event)
+
+    def _place_messages(self) -> None:
+        width = min(MESSAGE_WIDTH, self._pages.width() - 32)
+        height = max(40, self.messages.heightForWidth(width))
+        self.messages.setGeometry((self._pages.width() - width) // 2, 12, width, height)

@@ -1,0 +1,95 @@
+"""The status bar: where the world is, how fast it goes, what the learner does, and when it was saved."""
+
+from __future__ import annotations
+
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QLabel, QStatusBar
+
+from ...engine.snapshots import Snapshot
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: Milliseconds between two looks at what changes slowly.
+SLOWLY = 500
+
+
+class StatusBar(QStatusBar):
+    """A line of facts."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        self.setSizeGripEnabled(False)
+        self.tick = self._label()
+        self.rate = self._label()
+        self.scenario = self._label()
+        self.learner = self._label()
+        self.notice = self._label()
+        self.saved = QLabel()
+        self.saved.setProperty("role", "caption")
+        self.saved.setContentsMargins(8, 2, 10, 2)
+        self.addPermanentWidget(self.saved)
+        self._timer = QTimer(self, interval=SLOWLY)
+        self._timer.timeout.connect(self._slowly)
+        self._timer.start()
+        studio.bridge.snapshot_changed.connect(self._snapshot_changed)
+        studio.opened.connect(self._cleared)
+        studio.changed.connect(self._slowly)
+        studio.relearning.changed.connect(self._slowly)
+
+    def _label(self) -> QLabel:
+        label = QLabel()
+        label.setProperty("role", "caption")
+        label.setContentsMargins(4, 2, 8, 2)
+        self.addWidget(label)
+        return label
+
+    def _cleared(self) -> None:
+        for label in (self.tick, self.rate, self.scenario, self.learner, self.notice):
+            label.clear()
+
+    def _snapshot_changed(self, snapshot: Snapshot) -> None:
+        self.tick.setText(f"tick {snapshot.tick:,}")
+
+    def _slowly(self) -> None:
+        snapshot = self._studio.snapshot
+        if snapshot is not None:
+            rate = self._studio.bridge.rate
+            self.rate.setText(f"{rate:,.0f} ticks/s" if rate else "paused")
+            place = snapshot.place
+            self.scenario.setText(f"{place.scenario} · {place.physics}")
+            self.notice.setText(snapshot.notice)
+        self.learner.setText(self._learner_words())
+        self.saved.setText(self._saved_words())
+
+    def _learner_words(self) -> str:
+        relearning = self._studio.relearning
+        if relearning.busy:
+            return "learning…"
+        if not relearning.learned_at:
+            return ""
+        return f"learned {ago(monotonic() - relearning.learned_at)}"
+
+    def _saved_words(self) -> str:
+        if not self._studio.is_open:
+            return ""
+        document = self._studio.document
+        if document.saving:
+            return "saving…"
+        if document.is_saved:
+            return "saved" if document.folder is not None else "not saved yet"
+        kept = "" if document.autosaved is None else f" · autosaved {document.autosaved:%H:%M}"
+        return f"unsaved changes{kept}"
+
+
+def ago(seconds: float) -> str:
+    """How long ago, in few words."""
+    if seconds < 2:
+        return "just now"
+    if seconds < 90:
+        return f"{seconds:.0f} s ago"
+    return f"{seconds / 60:.0f} min ago"

@@ -1,0 +1,197 @@
+"""The tool bar: mode, time, speed, seed, undo, and the arm."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QSlider,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+
+from ...engine.commands import Reset
+from ...engine.snapshots import Mode
+from ..icons import icon
+from .rows import SPEEDS, Speed, is_playing, speed_words
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+MOST_SEED = 2**63 - 1
+
+
+class ModeSwitch(QWidget):
+    """Teach or Test, as one glance has to tell; the two are the actions ``teach.teach`` and ``teach.test``."""
+
+    def __init__(self, studio: Studio) -> None:
+        super().__init__()
+        self._studio = studio
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        self.teach = self._button("teach.teach", "left")
+        self.test = self._button("teach.test", "right")
+        group = QButtonGroup(self)
+        group.setExclusive(False)
+        for button in (self.teach, self.test):
+            group.addButton(button)
+            layout.addWidget(button)
+        studio.theme.changed.connect(self._dress)
+        studio.bridge.mode_changed.connect(self._dress)
+        studio.changed.connect(self._dress)
+        self._dress()
+
+    def _button(self, action: str, side: str) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(self._studio.actions[action])
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setObjectName(f"mode-{side}")
+        return button
+
+    def _dress(self) -> None:
+        theme = self._studio.theme
+        colors, mode = theme.palette, self._studio.mode
+        on = "#ffffff" if not theme.is_dark else "#16181d"
+        chosen = {Mode.TEACHING: ("left", colors.teach)}.get(mode, ("", "")) if mode else ("", "")
+        if mode in (Mode.TESTING, Mode.LEARNING):
+            chosen = "right", colors.accent
+        side, ground = chosen
+        self.setStyleSheet(
+            "QToolButton { padding: 4px 12px; font-weight: 600; }"
+            "#mode-left { border-top-right-radius: 0; border-bottom-right-radius: 0; }"
+            "#mode-right { border-top-left-radius: 0; border-bottom-left-radius: 0; border-left: none; }"
+            + (
+                f"#mode-{side} {{ background: {ground}; border-color: {ground}; color: {on}; }}"
+                if side
+                else ""
+            )
+        )
+        actions = self._studio.actions
+        for button, action, name in (
+            (self.teach, "teach.teach", "school-outline"),
+            (self.test, "teach.test", "play-outline"),
+        ):
+            lit = button.objectName() == f"mode-{side}"
+            actions[action].setIcon(icon(name, theme, "panel" if lit else "text"))
+
+
+class Toolbar(QToolBar):
+    """What is used all the time."""
+
+    def __init__(self, studio: Studio, speed: Speed) -> None:
+        super().__init__("Tools")
+        self.setObjectName("tools")
+        self.setMovable(False)
+        self.setIconSize(QSize(18, 18))
+        self._studio = studio
+        self._speed = speed
+        self.mode = ModeSwitch(studio)
+        self.addWidget(self.mode)
+        self.addSeparator()
+        for action in ("run.begin", "run.back", "run.play", "run.step"):
+            self._add(action)
+        self._add_speed()
+        self.addSeparator()
+        self._add_seed()
+        self._add("run.reset")
+        self.addSeparator()
+        self._add("edit.undo")
+        self._add("edit.redo")
+        self.spacer = QWidget()
+        self.spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.addWidget(self.spacer)
+        self._add_arm()
+        studio.bridge.snapshot_changed.connect(self._snapshot_changed)
+        studio.changed.connect(self._refresh)
+        studio.opened.connect(self._refresh)
+        studio.theme.changed.connect(self._dress)
+        studio.bridge.mode_changed.connect(self._dress)
+        self._dress()
+        self._refresh()
+
+    def _add(self, action: str) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(self._studio.actions[action])
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        self.addWidget(button)
+        return button
+
+    def _caption(self, text: str) -> QLabel:
+        label = QLabel(text)
+        label.setProperty("role", "caption")
+        self.addWidget(label)
+        return label
+
+    def _add_speed(self) -> None:
+        self._caption("Speed")
+        self.slider = QSlider(Qt.Orientation.Horizontal)
+        self.slider.setRange(0, len(SPEEDS) - 1)
+        self.slider.setPageStep(1)
+        self.slider.setFixedWidth(88)
+        self.slider.setToolTip("How fast time passes: 1 is 60 ticks a second (+ and -)")
+        self.slider.setValue(SPEEDS.index(self._speed.chosen))
+        self.slider.valueChanged.connect(lambda at: self._speed.choose(self._studio, SPEEDS[at]))
+        self.addWidget(self.slider)
+        self.speed_words = QLabel(speed_words(self._speed.chosen))
+        self.speed_words.setFixedWidth(38)
+        self.addWidget(self.speed_words)
+
+    def _add_seed(self) -> None:
+        self._caption("Seed")
+        self.seed = QLineEdit("1")
+        self.seed.setFixedWidth(52)
+        self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
+        self.seed.returnPressed.connect(self._reset)
+        self.addWidget(self.seed)
+
+    def _add_arm(self) -> None:
+        self.arm = QComboBox()
+        self.arm.setToolTip(
+            "The arm: which agents and controllers there are, in which world, and what they run"
+        )
+        self.arm.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.arm.setMinimumContentsLength(14)
+        self.arm.setMaximumWidth(200)
+        self.arm.activated.connect(lambda _: self._studio.use_arm(self.arm.currentData()))
+        self.before_arm = self.addWidget(self.arm)
+
+    def _reset(self) -> None:
+        text = self.seed.text().strip()
+        if text.isdecimal() and int(text) <= MOST_SEED:
+            self._studio.bridge.send(Reset(int(text)))
+        else:
+            self._studio.warn(f"a seed is a whole number from 0 to {MOST_SEED}, but this one is {text!r}")
+        self.seed.clearFocus()
+
+    def _snapshot_changed(self, snapshot: object) -> None:
+        seed = str(getattr(snapshot, "seed", ""))
+        if not self.seed.hasFocus() and self.seed.text() != seed:
+            self.seed.setText(seed)
+
+    def _refresh(self) -> None:
+        arms = [arm.name for arm in self._studio.document.project.arms]
+        shown = [self.arm.itemData(k) for k in range(self.arm.count())]
+        if arms != shown:
+            self.arm.clear()
+            for arm in self._studio.document.project.arms:
+                self.arm.addItem(f"Arm: {arm.name}", arm.name)
+        current = self._studio.arm
+        if current is not None and current.name in arms:
+            self.arm.setCurrentIndex(arms.index(current.name))
+        self.arm.setEnabled(bool(arms))
+        self.seed.setEnabled(bool(arms))
+        self.slider.setValue(SPEEDS.index(self._speed.chosen))
+        self.speed_words.setText(speed_words(self._speed.chosen))
+
+    def _dress(self) -> None:
+        name = "pause" if is_playing(self._studio) else "play"
+        self._studio.actions["run.play"].setIcon(icon(name, self._studio.theme))

@@ -1,0 +1,57 @@
+"""The numbers of an experiment as CSV: one line a run, and curves with their bands."""
+
+import csv
+import io
+from collections.abc import Iterator, Sequence
+
+from .findings import Findings
+from .plan import Experiment
+from .store import Results
+
+
+def runs_csv(experiment: Experiment, results: Results) -> str:
+    """Every run that has been made: arm, levels, seed, measures, and whether it stalled."""
+    factors = [factor.name for factor in experiment.factors]
+    rows = list(_runs(experiment, results))
+    measures = sorted({name for _, _, found in rows for name in found})
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["arm", *factors, "run", "seed", "ticks", *measures, "stalled", "agent_ticks", "seconds"])
+    for before, after, found in rows:
+        writer.writerow([*before, *(found.get(name, "") for name in measures), *after])
+    return out.getvalue()
+
+
+def _runs(
+    experiment: Experiment, results: Results
+) -> Iterator[tuple[list[object], list[object], dict[str, float]]]:
+    for cell in experiment.cells():
+        levels = [cell.levels[factor.name] for factor in experiment.factors]
+        for row in results.rows(cell.number, experiment.runs):
+            before: list[object] = [cell.arm, *levels, row.run, row.seed, experiment.ticks]
+            after: list[object] = [int(row.stalled), row.agent_ticks, f"{row.seconds:.6f}"]
+            yield before, after, dict(row.measures)
+
+
+def curves_csv(found: Findings) -> str:
+    """Means over time with the bounds of their 95% confidence intervals, one line a sample of a measure in a cell."""
+    experiment = found.experiment
+    factors = [factor.name for factor in experiment.factors]
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["arm", *factors, "measure", "tick", "mean", "low", "high", "runs"])
+    for summary in found.summaries:
+        if not summary.runs:
+            continue
+        levels = [summary.cell.levels[name] for name in factors]
+        for measure, mean, half in zip(found.curves, summary.curve, summary.band, strict=True):
+            ticks = _ticks(experiment.ticks, len(mean))
+            for tick, middle, width in zip(ticks, mean.tolist(), half.tolist(), strict=True):
+                bounds = [tick, middle, middle - width, middle + width]
+                writer.writerow([summary.cell.arm, *levels, measure, *bounds, summary.runs])
+    return out.getvalue()
+
+
+def _ticks(ticks: int, samples: int) -> Sequence[int]:
+    """The ticks at which curves were sampled, the beginning included."""
+    return [round(ticks * k / max(1, samples - 1)) for k in range(samples)]

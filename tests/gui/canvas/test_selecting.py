@@ -1,0 +1,115 @@
+"""Selecting agents and controllers in the world."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication, QMenu
+
+from app.editor.canvas.group_painting import hull_corners, link_ends, shown_hulls, shown_links
+from tests.gui.canvas.pilot import CONTROL, RIGHT, SHIFT, Pilot
+
+
+def test_a_click_selects_the_agent_there_and_a_click_on_nothing_selects_none(pilot: Pilot) -> None:
+    agent = pilot.alone()
+    pilot.click(pilot.at(agent))
+    assert pilot.selected == [pilot.snapshot.place.agents[agent]]
+    pilot.click(pilot.nowhere())
+    assert pilot.selected == []
+
+
+def test_shift_and_ctrl_add_and_take_away(pilot: Pilot) -> None:
+    agents = pilot.snapshot.place.agents
+    first, second = pilot.alone(), 0
+    pilot.studio.selection.select_nodes((agents[second],))
+    pilot.click(pilot.at(first), SHIFT)
+    assert pilot.selected == [agents[second], agents[first]]
+    pilot.click(pilot.at(first), CONTROL)
+    assert pilot.selected == [agents[second]]
+
+
+def test_a_rubber_band_selects_what_is_in_it_and_adds_with_shift(pilot: Pilot) -> None:
+    x, y = pilot.frame.places()
+    start = pilot.nowhere()
+    end = QPoint(start.x() + 120, start.y() + 150)
+    pilot.drag(start, end)
+    agents = pilot.snapshot.place.agents
+    inside = {
+        agents[k] for k in range(len(agents)) if start.x() <= x[k] <= end.x() and start.y() <= y[k] <= end.y()
+    }
+    assert set(pilot.selected) == inside
+    assert not pilot.has_band()
+    other = next(agent for agent in agents if agent not in inside)
+    pilot.studio.selection.select_nodes((other,))
+    pilot.drag(start, end, keys=SHIFT)
+    assert set(pilot.selected) == {other, *inside}
+
+
+def test_escape_gives_a_rubber_band_up(pilot: Pilot) -> None:
+    start = pilot.nowhere()
+    pilot.down(start).move(start + QPoint(200, 100))
+    assert pilot.has_band()
+    pilot.key(Qt.Key.Key_Escape)
+    pilot.up(start + QPoint(200, 100))
+    assert not pilot.has_band()
+    assert pilot.selected == []
+
+
+def test_a_click_on_a_link_selects_its_controller(pilot: Pilot) -> None:
+    pilot.use_arm("one level")
+    pilot.studio.actions["canvas.links"].trigger()
+    frame = pilot.frame
+    links = shown_links(frame)
+    assert len(links) == 50
+    x, y = frame.places()
+    for left, top, right, bottom in link_ends(frame, links).tolist():
+        at = QPoint(round(left + 0.4 * (right - left)), round(top + 0.4 * (bottom - top)))
+        if ((abs(x - at.x()) > 25) | (abs(y - at.y()) > 25)).all():
+            break
+    pilot.click(at)
+    assert len(pilot.selected) == 1
+    assert pilot.selected[0].startswith("group-")
+
+
+def test_a_click_in_a_hull_selects_its_controller_and_none_where_hulls_are_off(pilot: Pilot) -> None:
+    pilot.use_arm("one level")
+    at = pilot.nowhere()
+    pilot.click(at)
+    assert pilot.selected == []
+    pilot.studio.actions["canvas.hulls"].trigger()
+    frame = pilot.frame
+    corners = hull_corners(frame, shown_hulls(frame))
+    middles = [QPoint(round(xs.mean()), round(ys.mean())) for xs, ys in zip(*corners, strict=True)]
+    x, y = frame.places()
+    free = next(m for m in middles if ((abs(x - m.x()) > 25) | (abs(y - m.y()) > 25)).all())
+    pilot.click(free)
+    assert len(pilot.selected) == 1
+    assert pilot.selected[0].startswith("group-")
+
+
+def test_keys_go_through_the_agents_and_select_them_all(pilot: Pilot) -> None:
+    agents = pilot.snapshot.place.agents
+    pilot.key(Qt.Key.Key_PageDown)
+    assert pilot.selected == list(agents[:1])
+    pilot.key(Qt.Key.Key_PageDown)
+    pilot.key(Qt.Key.Key_PageDown)
+    pilot.key(Qt.Key.Key_PageUp)
+    assert pilot.selected == list(agents[1:2])
+    pilot.key(Qt.Key.Key_A, CONTROL)
+    assert pilot.selected == list(agents)
+
+
+def test_the_right_button_offers_what_can_be_done_with_an_agent(pilot: Pilot) -> None:
+    pilot.use_arm("one level")
+    agent = pilot.alone()
+    at = pilot.at(agent)
+    pilot.down(at, RIGHT).up(at, RIGHT)
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    texts = [action.text() for action in menu.actions()]
+    node = pilot.snapshot.place.agents[agent]
+    parent = pilot.snapshot.place.hierarchy.parents()[node]
+    choice = next(action for action in menu.actions() if action.text().startswith("Select its controller"))
+    choice.trigger()
+    menu.close()
+    assert pilot.selected == [parent]
+    assert "Fit the world" in texts

@@ -1,0 +1,186 @@
+"""What the canvas tells: legend, card under the mouse, badge, banners, stored moments, and choosing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from PySide6.QtCore import Qt
+
+from app.editor.canvas.coloring import ColorBy
+from app.editor.theme import ThemeMode
+from app.engine.commands import RunArm, Step, Teach
+from tests.gui.canvas.pilot import LEFT, Pilot
+
+
+def show_example(pilot: Pilot) -> int:
+    """Show the moment of one; returns its tick."""
+    examples = pilot.studio.document.project.examples_of("agent", "forage")
+    example = next(e for e in examples if e.snapshot and e.tick)
+    moment = pilot.studio.document.project.moments[example.snapshot]
+    pilot.studio.moment_wanted.emit(moment, example.node, f"The moment of example {example.id}")
+    return example.tick
+
+
+# ---------------------------------------------------------------------------------------------------- legend
+
+
+def test_the_legend_counts_and_a_click_lights_those_up(pilot: Pilot) -> None:
+    pilot.send(Step(200))
+    pilot.wait(lambda: "Wander" in pilot.canvas.legend.buttons)
+    button = pilot.canvas.legend.buttons["Wander"]
+    coloring = pilot.frame.coloring
+    counts = {e.words: n for e, n in zip(coloring.entries, coloring.counts, strict=True)}
+    pilot.wait(lambda: button.text() == f"Wander {counts['Wander']}")
+    assert not pilot.is_lit()
+    pilot.qtbot.mouseClick(button, LEFT)
+    lit = pilot.frame.lit
+    assert lit is not None
+    assert {coloring.entries[k].words for k in lit} == {"Wander"}
+    pilot.qtbot.mouseClick(button, LEFT)
+    assert not pilot.is_lit()
+
+
+def test_what_colors_tell_is_switched_in_the_legends_menu_and_remembered(pilot: Pilot) -> None:
+    actions = pilot.canvas.legend.settings.menu().actions()
+    basic = next(action for action in actions if "basic" in action.text())
+    basic.trigger()
+    assert pilot.frame.coloring.entries
+    assert pilot.canvas.looking.color_by is ColorBy.BASIC
+    assert basic.isChecked()
+    assert pilot.studio.settings.flag("canvas_color_basic")
+
+
+def test_every_way_to_color_can_be_painted_in_both_themes(pilot: Pilot) -> None:
+    pilot.use_arm("two levels")
+    for name in ("canvas.hulls", "canvas.links", "canvas.all_trails"):
+        pilot.studio.actions[name].trigger()
+    pilot.send(Step(50))
+    pilot.studio.selection.select_nodes(("agent-3", "group-1"))
+    for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
+        pilot.studio.settings.theme = mode
+        for by in ColorBy:
+            pilot.studio.actions[f"canvas.color_{by}"].trigger()
+            picture = pilot.canvas.grab().toImage()
+            ground = pilot.studio.theme.color("canvas")
+            assert picture.pixelColor(2, picture.height() // 2) in (ground, pilot.studio.theme.color("grid"))
+
+
+# -------------------------------------------------------------------------------------------- under the mouse
+
+
+def test_hovering_tells_who_it_is_what_it_runs_and_what_it_sees(pilot: Pilot) -> None:
+    pilot.send(Step(100))
+    agent = pilot.alone()
+    pilot.hover(pilot.at(agent))
+    node = pilot.snapshot.place.agents[agent]
+    pilot.wait(lambda: node in pilot.snapshot.watched)
+    pilot.wait(lambda: any("ticks" in line for line in pilot.canvas.card.lines))
+    lines = pilot.canvas.card.lines
+    assert pilot.canvas.card.isVisible()
+    assert lines[0] == f"Agent {agent + 1}"
+    assert lines[1].startswith("Forage →")
+    assert any("box" in line for line in lines)
+    pilot.hover(pilot.nowhere())
+    assert not pilot.canvas.card.isVisible()
+    pilot.wait(lambda: node not in pilot.snapshot.watched)
+
+
+def test_hovering_over_a_box_tells_how_many_hold_it(pilot: Pilot) -> None:
+    pilot.hover(pilot.at(50))
+    assert pilot.canvas.card.lines[:2] == ("box 1", "0 of the 5 agents that it needs")
+
+
+# ---------------------------------------------------------------------------------------------- badge, banners
+
+
+def test_the_badge_says_what_the_session_is_for(pilot: Pilot) -> None:
+    assert not pilot.canvas.badge.isVisible()
+    pilot.send(Teach("agent", "forage", ("agent-17",)))
+    pilot.wait(pilot.canvas.badge.isVisible)
+    assert pilot.canvas.badge.text() == "● Teaching agent 17"
+    pilot.studio.actions["teach.test"].trigger()
+    pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing Forage")
+    pilot.send(RunArm())
+    pilot.wait(lambda: not pilot.canvas.badge.isVisible())
+
+
+def test_a_failure_is_told_with_a_way_out(pilot: Pilot) -> None:
+    failed = replace(pilot.snapshot, failure="after_tick of foraging: division by zero")
+    pilot.studio.bridge.snapshot_changed.emit(failed)
+    assert pilot.canvas.failure.isVisible()
+    assert "after_tick" in pilot.canvas.failure.words.text()
+    assert pilot.canvas.failure.button.text() == "Reset"
+    place = pilot.snapshot.place
+    pilot.qtbot.mouseClick(pilot.canvas.failure.button, LEFT)
+    pilot.wait(lambda: pilot.snapshot.place is not place and not pilot.canvas.failure.isVisible())
+
+
+def test_a_notice_of_the_engine_can_be_hidden(pilot: Pilot) -> None:
+    told = replace(pilot.snapshot, notice="compiling the kernel; until then ticks are slower")
+    pilot.studio.bridge.snapshot = told
+    pilot.studio.bridge.snapshot_changed.emit(told)
+    assert pilot.canvas.notice.isVisible()
+    pilot.qtbot.mouseClick(pilot.canvas.notice.button, LEFT)
+    pilot.studio.bridge.snapshot_changed.emit(told)
+    assert not pilot.canvas.notice.isVisible()
+
+
+# ----------------------------------------------------------------------------------------------------- moments
+
+
+def test_a_stored_moment_is_shown_until_the_user_goes_back_to_now(pilot: Pilot) -> None:
+    tick = show_example(pilot)
+    assert not pilot.is_live()
+    assert pilot.frame.scene.tick == tick
+    assert pilot.canvas.moment.isVisible()
+    assert pilot.canvas.moment.words.text().startswith("The moment of example")
+    pilot.qtbot.mouseClick(pilot.canvas.moment.button, LEFT)
+    assert pilot.is_live()
+    assert pilot.frame.scene.tick == 0
+
+
+def test_escape_goes_back_to_now_wherever_the_focus_is(pilot: Pilot) -> None:
+    show_example(pilot)
+    table = pilot.window.docks["library"].widget()
+    table.setFocus()
+    pilot.qtbot.keyClick(table, Qt.Key.Key_Escape)
+    assert pilot.is_live()
+
+
+def test_nothing_of_a_stored_moment_can_be_moved(pilot: Pilot) -> None:
+    show_example(pilot)
+    pilot.drag(pilot.at(50), pilot.nowhere())
+    assert [text for text in pilot.said if "stored moment" in text]
+    assert pilot.canvas.hand.dragged is None
+
+
+def test_time_that_passes_ends_the_moment(pilot: Pilot) -> None:
+    show_example(pilot)
+    pilot.studio.actions["run.play"].trigger()
+    pilot.wait(pilot.is_live)
+
+
+# ---------------------------------------------------------------------------------------------------- choosing
+
+
+def test_an_entity_is_chosen_by_a_click_and_others_are_refused_in_words(pilot: Pilot) -> None:
+    chosen: list[int] = []
+    pilot.canvas.entity_chosen.connect(chosen.append)
+    pilot.canvas.choose_entity("click a box", lambda entity: entity >= 50)
+    assert pilot.canvas.prompt.isVisible()
+    pilot.click(pilot.at(pilot.alone()))
+    assert chosen == []
+    assert pilot.said[-1] == "this cannot be chosen; click a box"
+    pilot.click(pilot.at(52))
+    assert chosen == [52]
+    assert not pilot.canvas.prompt.isVisible()
+    assert pilot.selected == []
+
+
+def test_escape_chooses_nothing(pilot: Pilot) -> None:
+    with pilot.qtbot.waitSignal(pilot.canvas.choosing_ended):
+        pilot.canvas.choose_entity("click a box", lambda entity: entity >= 50)
+        pilot.key(Qt.Key.Key_Escape)
+    assert pilot.canvas.hand.choice is None
+    pilot.click(pilot.at(pilot.alone()))
+    assert len(pilot.selected) == 1

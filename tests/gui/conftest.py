@@ -1,0 +1,79 @@
+"""What GUI tests share: a studio on a project, with the real engine, and its window."""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from app.core.project import Project
+from app.core.storage import load
+from app.editor.settings import Settings
+from app.editor.studio import Studio
+from app.editor.theme import Theme, ThemeMode
+from app.editor.window.main_window import MainWindow
+from app.engine.scenarios import open_scenario
+
+FORAGING = Path(__file__).parents[2] / "projects" / "foraging"
+#: Milliseconds that a test waits at most; a busy machine is slow.
+PATIENCE = 20_000
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What the offscreen platform cannot do, such as raising windows, is no fault of the program."""
+    for item in items:
+        if item.path.is_relative_to(Path(__file__).parent):
+            item.add_marker(pytest.mark.qt_log_ignore("This plugin does not support"))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def responsive() -> Iterator[None]:
+    """Threads take turns as often as they do in the studio."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(0.001)
+    yield
+    sys.setswitchinterval(before)
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    settings = Settings(tmp_path / "settings.ini")
+    settings.theme = ThemeMode.LIGHT
+    settings.autosave_seconds = 0
+    return settings
+
+
+@pytest.fixture(scope="session")
+def foraging() -> Project:
+    """The shipped project, loaded once: it is a value."""
+    return load(FORAGING)
+
+
+@pytest.fixture
+def empty_studio(qapp: QApplication, qtbot: QtBot, settings: Settings) -> Iterator[Studio]:
+    """A studio without a project."""
+    studio = Studio(Theme(qapp, settings.theme), settings)
+    yield studio
+    studio.shut_down()
+
+
+@pytest.fixture
+def studio(empty_studio: Studio, foraging: Project, qtbot: QtBot) -> Studio:
+    """A studio with the foraging project open, its first arm standing at tick 0."""
+    empty_studio.open(foraging, open_scenario(foraging), FORAGING)
+    qtbot.waitUntil(lambda: empty_studio.snapshot is not None, timeout=PATIENCE)
+    return empty_studio
+
+
+@pytest.fixture
+def window(studio: Studio, qtbot: QtBot) -> Iterator[MainWindow]:
+    """A window on the same studio, on the screen."""
+    window = MainWindow(studio)
+    qtbot.addWidget(window)
+    window.resize(1440, 900)
+    window.show()
+    qtbot.waitExposed(window)
+    yield window
+    window.hide()

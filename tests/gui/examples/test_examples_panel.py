@@ -1,0 +1,169 @@
+"""The examples table as a user handles it."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox
+from pytestqt.qtbot import QtBot
+
+from app.core.edits import relabel_examples, set_values
+from app.core.examples import Example
+from app.editor.examples.model import Column
+from app.editor.examples.panel import ExamplesPanel
+from app.editor.examples.verdicts import Verdict
+from app.editor.selection import BehaviorKey
+from app.editor.window.main_window import MainWindow
+from tests.gui.conftest import PATIENCE
+
+WANDER = BehaviorKey("agent", "wander")
+
+
+@pytest.fixture
+def panel(window: MainWindow, qtbot: QtBot) -> ExamplesPanel:
+    """The panel with the examples of Wander, judged."""
+    window.studio.selection.select_behavior(WANDER)
+    panel = window.docks["examples"].widget()
+    assert isinstance(panel, ExamplesPanel)
+    qtbot.waitUntil(lambda: panel.model.counts[1] == len(examples(window)), timeout=PATIENCE)
+    qtbot.waitUntil(
+        lambda: panel.model.verdict(panel.model.example(0)) is not Verdict.UNKNOWN, timeout=PATIENCE
+    )
+    return panel
+
+
+def examples(window: MainWindow) -> tuple[Example, ...]:
+    return window.studio.document.project.examples_of(WANDER.type, WANDER.id)
+
+
+def place(panel: ExamplesPanel, row: int, column: Column) -> QPoint:
+    return panel.table.visualRect(panel.model.index(row, column)).center()
+
+
+def click(qtbot: QtBot, panel: ExamplesPanel, row: int, column: Column = Column.WORDS) -> None:
+    qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place(panel, row, column))
+
+
+def double_click(qtbot: QtBot, panel: ExamplesPanel, row: int, column: Column) -> None:
+    at, left = place(panel, row, column), Qt.MouseButton.LeftButton
+    qtbot.mouseClick(panel.table.viewport(), left, pos=at)
+    qtbot.mouseDClick(panel.table.viewport(), left, pos=at)
+
+
+def test_each_example_is_told_in_words(panel: ExamplesPanel) -> None:
+    words = [panel.model.index(row, Column.WORDS).data() for row in range(panel.model.rowCount())]
+    assert all(words)
+    assert panel.model.index(0, Column.SOURCE).data() == "Start"
+
+
+def test_a_click_selects_an_example_and_asks_for_its_moment(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(window.studio.moment_wanted, timeout=PATIENCE) as wanted:
+        click(qtbot, panel, 0)
+    example = panel.model.example(0)
+    assert window.studio.selection.examples == (example.id,)
+    assert wanted.args is not None
+    assert wanted.args[0] == window.studio.document.project.moments[example.snapshot]
+    assert wanted.args[1:] == [example.node, f"The moment of example {example.id}"]
+
+
+def test_a_tick_box_switches_an_example_off_and_undo_brings_it_back(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    left = panel.table.visualRect(panel.model.index(0, Column.ID))
+    box = QPoint(left.left() + 12, left.center().y())
+    qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=box)
+    qtbot.waitUntil(lambda: not panel.model.example(0).enabled, timeout=PATIENCE)
+    assert not examples(window)[0].enabled
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: panel.model.example(0).enabled, timeout=PATIENCE)
+
+
+def test_a_switched_off_example_is_learned_without_in_the_background(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    document = window.studio.document
+    before = document.project.library("agent").automata["wander"].learned_from
+    click(qtbot, panel, 0)
+    window.studio.actions["examples.disable"].trigger()
+    qtbot.waitUntil(
+        lambda: document.project.library("agent").automata["wander"].learned_from != before, timeout=PATIENCE
+    )
+    window.studio.undo()
+    assert document.project.library("agent").automata["wander"].learned_from == before
+
+
+def test_a_label_is_chosen_from_the_states_there_are(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    double_click(qtbot, panel, 0, Column.LABEL)
+    box = panel.table.viewport().findChild(QComboBox)
+    assert isinstance(box, QComboBox)
+    before = box.currentData()
+    qtbot.waitUntil(box.view().isVisible, timeout=PATIENCE)
+    qtbot.keyClick(box.view(), Qt.Key.Key_Down)
+    qtbot.keyClick(box.view(), Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: examples(window)[0].label != before, timeout=PATIENCE)
+
+
+def test_a_weight_is_typed(window: MainWindow, panel: ExamplesPanel, qtbot: QtBot) -> None:
+    double_click(qtbot, panel, 0, Column.WEIGHT)
+    box = panel.table.viewport().findChild(QDoubleSpinBox)
+    assert isinstance(box, QDoubleSpinBox)
+    box.selectAll()
+    qtbot.keyClicks(box, "3")
+    qtbot.keyClick(box, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: examples(window)[0].weight == 3.0, timeout=PATIENCE)
+
+
+def test_filters_narrow_the_table_and_are_cleared_at_once(panel: ExamplesPanel, qtbot: QtBot) -> None:
+    everything = panel.model.counts[0]
+    source = panel.filters.source
+    source.setFocus()
+    qtbot.keyClick(source, Qt.Key.Key_Down)
+    source.activated.emit(source.currentIndex())
+    shown = [panel.model.example(row).source for row in range(panel.model.rowCount())]
+    assert set(shown) == {source.currentData()}
+    assert len(shown) < everything
+    qtbot.mouseClick(panel.filters.clear, Qt.MouseButton.LeftButton)
+    assert panel.model.counts[0] == everything
+
+
+def test_a_conflict_is_marked_and_can_be_filtered_for(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    document = window.studio.document
+    first, second = [e for e in examples(window) if e.source == "forward"][:2]
+    document.do(set_values, "agent", "wander", {second.id: dict(first.values)})
+    document.do(relabel_examples, "agent", "wander", [first.id], "forward")
+    document.do(relabel_examples, "agent", "wander", [second.id], "rotate-left")
+    qtbot.waitUntil(
+        lambda: panel.model.verdict(examples(window)[int(first.id) - 1]) is Verdict.CONFLICT, timeout=PATIENCE
+    )
+    panel.filters.choose(panel.filters.verdict, Verdict.CONFLICT)
+    shown = {panel.model.example(row).id for row in range(panel.model.rowCount())}
+    assert {first.id, second.id} <= shown
+
+
+def test_sorting_by_what_was_learned_puts_the_worst_first(panel: ExamplesPanel) -> None:
+    panel.table.sortByColumn(Column.VERDICT, Qt.SortOrder.AscendingOrder)
+    order = list(Verdict)
+    places = [order.index(panel.model.verdict(panel.model.example(r))) for r in range(panel.model.rowCount())]
+    assert places == sorted(places)
+
+
+def test_examples_selected_elsewhere_are_selected_in_the_table(
+    window: MainWindow, panel: ExamplesPanel
+) -> None:
+    ids = tuple(e.id for e in examples(window)[1:3])
+    window.studio.selection.select_examples(ids)
+    rows = {index.row() for index in panel.table.selectionModel().selectedRows()}
+    assert {panel.model.example(row).id for row in rows} == set(ids)
+
+
+def test_without_examples_the_panel_says_how_to_make_some(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    window.studio.selection.select_behavior(BehaviorKey("authored-agent", "wander"))
+    qtbot.waitUntil(lambda: panel.model.counts[1] == 0, timeout=PATIENCE)
+    assert panel._empty.isVisibleTo(panel)
+    assert "press Teach" in panel._empty.text()

@@ -1,0 +1,213 @@
+"""The window of experiments as a user handles it."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from app.core.project import Project
+from app.editor.experiments.builder import ExperimentBuilder
+from app.editor.experiments.window import ExperimentsWindow
+from app.editor.studio import Studio
+from app.editor.window.main_window import MainWindow
+from app.engine.experiments.laboratory import Stage
+from app.engine.scenarios import open_scenario
+from tests.gui.conftest import FORAGING, PATIENCE
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A copy of the foraging project that can be written to."""
+    ignored = shutil.ignore_patterns("results", "*.sqlite*", "reports")
+    return Path(shutil.copytree(FORAGING, tmp_path / "foraging", ignore=ignored))
+
+
+@pytest.fixture
+def shown(
+    empty_studio: Studio, foraging: Project, folder: Path, qtbot: QtBot
+) -> Iterator[tuple[MainWindow, ExperimentsWindow]]:
+    """The window over the copied project, asked for by its shortcut."""
+    window = MainWindow(empty_studio)
+    qtbot.addWidget(window)
+    window.show()
+    empty_studio.open(foraging, open_scenario(foraging), folder)
+    qtbot.waitUntil(lambda: empty_studio.snapshot is not None, timeout=PATIENCE)
+    qtbot.waitUntil(empty_studio.actions["experiment.show"].isEnabled, timeout=PATIENCE)
+    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_X, keys)
+    experiments = window.experiments.window
+    assert experiments is not None
+    yield window, experiments
+    experiments.close()
+
+
+def told(window: ExperimentsWindow, words: str) -> bool:
+    return words in window.told.text()
+
+
+def finished(window: ExperimentsWindow) -> bool:
+    look = window.running.look
+    return look is not None and look.stage is Stage.FINISHED
+
+
+def small(window: ExperimentsWindow, name: str = "figure3", runs: int = 2) -> None:
+    """Ask for so little that it takes no time."""
+    window.choose(name)
+    window.ticks.setValue(200)
+    window.runs.setValue(runs)
+
+
+def test_the_experiments_of_the_project_are_listed(shown: tuple[MainWindow, ExperimentsWindow]) -> None:
+    _, window = shown
+    names = [window.list.item(row).text() for row in range(window.list.count())]
+    assert names == ["figure3", "figure4", "open", "original", "paper", "samples"]
+    assert window.title.text().startswith("Figure 3")
+
+
+def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_to_do(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    small(window)
+    qtbot.mouseClick(window.run, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 8, timeout=PATIENCE)
+    assert len(window.curves.names) == 4
+    assert window.arms.rowCount() == 4
+    assert window.claims.rowCount() > 0
+    assert told(window, "Finished: 8 runs")
+
+
+def test_a_run_is_opened_in_the_world_at_a_tick_with_the_numbers_it_had(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    main, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    window.tabs.setCurrentWidget(window.runs_page)
+    window.runs_page.table.selectRow(1)
+    row = window.runs_page.chosen
+    assert row is not None
+    qtbot.mouseClick(window.runs_page.open_button, Qt.MouseButton.LeftButton)
+
+    def there() -> bool:
+        snapshot = main.studio.snapshot
+        return snapshot is not None and (snapshot.seed, snapshot.tick) == (row.seed, 200)
+
+    qtbot.waitUntil(there, timeout=PATIENCE)
+    assert main.studio.snapshot is not None
+    measures = main.studio.snapshot.measures
+    assert {name: measures[name] for name in row.measures} == row.measures
+
+
+def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finished(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    window.choose("figure3")
+    window.ticks.setValue(2000)
+    window.runs.setValue(500)
+    qtbot.keyClick(window, Qt.Key.Key_F5)
+    qtbot.waitUntil(lambda: bool(window.curves.names), timeout=3 * PATIENCE)
+    qtbot.mouseClick(window.pause, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: told(window, "Paused at"), timeout=PATIENCE)
+    assert window.pause.text() == "Resume"
+    qtbot.mouseClick(window.pause, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.cancel, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not window.running.is_on, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() > 0, timeout=PATIENCE)
+    assert window.run.isEnabled()
+
+
+def test_an_experiment_is_built_by_hand_and_runs(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, folder: Path
+) -> None:
+    _, window = shown
+    qtbot.mouseClick(window.new, Qt.MouseButton.LeftButton)
+    (builder,) = window.findChildren(ExperimentBuilder)
+    qtbot.keyClicks(builder.title, "Few boxes")
+    builder.ticks.selectAll()
+    qtbot.keyClicks(builder.ticks, "100")
+    builder.runs.selectAll()
+    qtbot.keyClicks(builder.runs, "2")
+    for row in range(1, builder.arms.count()):
+        builder.arms.item(row).setCheckState(Qt.CheckState.Unchecked)
+    builder.add_factor("world.boxes", "1, 2")
+    ok = builder.buttons.button(QDialogButtonBox.StandardButton.Ok)
+    with qtbot.waitSignal(builder.kept, timeout=PATIENCE):
+        qtbot.mouseClick(ok, Qt.MouseButton.LeftButton)
+    assert (folder / "experiments" / "few-boxes.json").is_file()
+    assert window.title.text() == "Few boxes"
+    window.begin()
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+
+
+def test_what_cannot_be_is_said_in_the_dialog(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    window.build()
+    (builder,) = window.findChildren(ExperimentBuilder)
+    builder.name.setText("figure3")
+    qtbot.mouseClick(builder.buttons.button(QDialogButtonBox.StandardButton.Ok), Qt.MouseButton.LeftButton)
+    assert "there is an experiment 'figure3' already" in builder.trouble.text().replace("There", "there")
+    builder.reject()
+
+
+def test_figure_data_and_report_are_written(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, tmp_path: Path
+) -> None:
+    _, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    for ending in ("svg", "png"):
+        window.exporting.write_figure(tmp_path / f"x.{ending}")
+        qtbot.waitUntil((tmp_path / f"x.{ending}").exists, timeout=PATIENCE)
+    window.exporting.write_data(tmp_path / "x.csv")
+    qtbot.waitUntil((tmp_path / "x-curves.csv").exists, timeout=PATIENCE)
+    window.exporting.write_report(tmp_path / "x.md")
+    qtbot.waitUntil((tmp_path / "x.md").exists, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
+    assert len((tmp_path / "x.csv").read_text().splitlines()) == 5
+
+
+def test_results_of_several_experiments_stand_side_by_side(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, folder: Path
+) -> None:
+    _, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    item = window.compare.list.item(0)
+    item.setCheckState(Qt.CheckState.Checked)
+    qtbot.waitUntil(lambda: told_beside(window), timeout=PATIENCE)
+
+
+def told_beside(window: ExperimentsWindow) -> bool:
+    """Either the arms, or that this length has not been run: both are an answer."""
+    return window.compare.model.rowCount() > 0 or "not been run" in window.compare.told.text()
+
+
+def test_results_of_the_project_as_it_was_can_be_put_aside(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, folder: Path
+) -> None:
+    main, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    from app.core.edits import set_world
+    from app.editor.documents.asking import Question
+
+    main.studio.document.do(set_world, "", {"boxes": 7})
+    window.begin()
+    qtbot.waitUntil(lambda: bool(window.findChildren(Question)), timeout=PATIENCE)
+    (question,) = window.findChildren(Question)
+    qtbot.mouseClick(question.buttons[0], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
+    assert list((folder / "results").glob("figure3-200-ticks-until-*.sqlite"))

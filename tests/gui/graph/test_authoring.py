@@ -1,0 +1,244 @@
+"""Automata are made on the graph by mouse and keys: states, transitions, guards, order, copies."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from app.core.automaton import START, Automaton, Basic, Nested, RaiseFlag
+from app.core.conditions import AtMost, Condition, Equals
+from app.core.edits import add_automaton
+from app.core.features import Ground, Parameter
+from app.editor.graph.panel import GraphPanel
+from app.editor.selection import BehaviorKey
+from app.editor.studio import Studio
+from tests.gui.graph.author import CTRL, Author
+
+AUTHORED = BehaviorKey("authored-agent", "forage")
+CORNER = QPoint(60, 60)
+
+
+@pytest.fixture
+def blank(studio: Studio, author: Author) -> BehaviorKey:
+    """An automaton without states, shown."""
+    made = studio.document.do(add_automaton, "authored-agent", "Mine", ("X",))
+    key = BehaviorKey("authored-agent", made)
+    author.show(key)
+    return key
+
+
+def automaton(author: Author) -> Automaton:
+    root = author.panel.root
+    assert root is not None
+    found = author.panel.studio.document.automaton(root.type, root.id)
+    assert found is not None
+    return found
+
+
+def test_a_behavior_that_is_dropped_becomes_a_state_where_it_fell(blank: BehaviorKey, author: Author) -> None:
+    author.drop({"type": "authored-agent", "id": "wander", "name": "Wander"}, CORNER)
+    state = automaton(author).states[-1]
+    assert state.content == Nested("wander")
+    assert (author.at((state.id,)) - CORNER).manhattanLength() <= 3
+
+
+def test_a_basic_behavior_can_be_dropped_as_well(blank: BehaviorKey, author: Author) -> None:
+    author.drop({"type": "authored-agent", "id": "", "basic": "Forward"}, CORNER)
+    assert automaton(author).states[-1].content == Basic("Forward")
+
+
+def test_dropping_and_placing_is_one_step_to_undo(blank: BehaviorKey, author: Author, studio: Studio) -> None:
+    author.drop({"type": "authored-agent", "id": "", "basic": "Forward"}, CORNER)
+    assert studio.document.history.undo_text == "Add state Forward to Mine"
+    studio.undo()
+    assert len(automaton(author).states) == 1
+    assert not studio.document.project.layouts
+
+
+def test_an_automaton_cannot_be_dropped_into_itself(author: Author, studio: Studio) -> None:
+    told: list[str] = []
+    studio.said.connect(lambda message: told.append(message.text))
+    author.show(BehaviorKey("authored-agent", "goto"))
+    author.drop({"type": "authored-agent", "id": "forage", "name": "Forage"}, CORNER)
+    author.drop({"type": "authored-agent", "id": "goto", "name": "Goto"}, CORNER)
+    assert len(automaton(author).states) == 5
+    assert any("recursion is not permitted" in text for text in told)
+
+
+def test_the_menu_offers_only_what_a_state_can_hold(author: Author) -> None:
+    author.show(BehaviorKey("authored-agent", "return-with-box"))
+    author.trigger("graph.add_state")
+    menu = author.panel.menu
+    assert menu is not None
+    offered = [action.text() for action in menu.actions()]
+    assert {"Goto(X)", "Wander", "Forward", "⚑ done", "⚑ failed"} <= set(offered)
+    assert not {"Forage", "ReturnWithBox"} & set(offered)
+    menu.close()
+
+
+def test_a_slot_that_is_open_is_asked_for_and_bound(blank: BehaviorKey, author: Author) -> None:
+    author.add_state("Goto(X)")
+    form = author.panel.form
+    assert form.isVisible()
+    assert author.panel.scene.states["goto",].look.problem == "error"
+    author.choose(form.state.slots["X"], "X (parameter)")
+    assert automaton(author).state("goto").content == Nested("goto", {"X": Parameter("X")})
+    author.choose(form.state.slots["X"], "deposit")
+    assert automaton(author).state("goto").content == Nested("goto", {"X": Ground("deposit")})
+
+
+def test_a_flag_can_be_added_and_named(blank: BehaviorKey, author: Author) -> None:
+    author.add_state("⚑ done")
+    author.click(author.named("done"))
+    author.key(Qt.Key.Key_F2)
+    field = author.panel.form.state.flag
+    field.selectAll()
+    author.qtbot.keyClicks(field, "lost")
+    author.qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert automaton(author).states[-1].content == RaiseFlag("lost")
+
+
+def test_a_state_can_be_named_and_noted(blank: BehaviorKey, author: Author) -> None:
+    author.add_state("Forward")
+    author.click(author.named("Forward"))
+    author.key(Qt.Key.Key_Return)
+    form = author.panel.form.state
+    author.qtbot.keyClicks(form.name, "Walk")
+    author.qtbot.keyClick(form.name, Qt.Key.Key_Return)
+    author.qtbot.keyClicks(form.note, "straight on")
+    author.qtbot.keyClick(form.note, Qt.Key.Key_Return)
+    author.settle()
+    state = automaton(author).states[-1]
+    assert (state.name, state.note) == ("Walk", "straight on")
+
+
+def test_dragging_from_the_handle_draws_a_transition_and_asks_when(
+    blank: BehaviorKey, author: Author
+) -> None:
+    author.add_state("Forward")
+    author.link("Start", "Forward")
+    (rule,) = automaton(author).rules
+    assert (rule.source, rule.target, rule.guard, rule.probability) == (START, "forward", (), 1.0)
+    assert author.panel.form.isVisible()
+
+
+def test_a_transition_can_be_drawn_by_keys(blank: BehaviorKey, author: Author, studio: Studio) -> None:
+    author.add_state("Forward")
+    author.click(author.named("Start"))
+    author.trigger("graph.link")
+    author.qtbot.keyClick(author.panel.view, Qt.Key.Key_Right)
+    author.key(Qt.Key.Key_Return)
+    assert [(rule.source, rule.target) for rule in automaton(author).rules] == [(START, "forward")]
+
+
+def test_escape_gives_up_drawing_a_transition(blank: BehaviorKey, author: Author, studio: Studio) -> None:
+    author.add_state("Forward")
+    author.click(author.named("Start"))
+    author.trigger("graph.link")
+    author.qtbot.keyClick(author.panel.view, Qt.Key.Key_Escape)
+    author.click(author.named("Forward"))
+    assert automaton(author).rules == ()
+
+
+def test_a_transition_that_ends_nowhere_is_none(blank: BehaviorKey, author: Author) -> None:
+    path = author.named("Start")
+    author.qtbot.mouseMove(author.panel.view.viewport(), author.at(path))
+    author.drag(author.at(path, author.panel.scene.states[path].handle_at()), CORNER)
+    assert automaton(author).rules == ()
+
+
+def test_guards_are_made_of_what_there_is(author: Author) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    author.test("done")
+    author.test("DistanceTo(deposit)", lambda row: author.type_number(row.numbers[0], "12.5"))
+    rule = automaton(author).rules[-1]
+    feature = rule.guard[1].test.feature
+    assert rule.guard == (Condition(Equals("done", 1.0)), Condition(AtMost(feature, 12.5)))
+    author.choose(author.row(0).how, "done")
+    author.choose(author.row(1).how, "more than")
+    assert [condition.wanted for condition in automaton(author).rules[-1].guard] == [True, False]
+
+
+def test_probability_order_and_removal(author: Author, studio: Studio) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    author.type_number(author.block.probability, "25")
+    assert automaton(author).rules[-1].probability == 0.25
+    author.press(author.block.earlier)
+    assert [rule.probability for rule in automaton(author).rules_of("wander")] == [0.25, 1.0]
+    author.press(author.panel.form.rules.blocks[0].removal)
+    assert [rule.probability for rule in automaton(author).rules_of("wander")] == [1.0]
+
+
+def test_a_number_that_is_typed_is_one_step_to_undo(author: Author, studio: Studio) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    steps = len(studio.document.history.steps)
+    author.type_number(author.block.probability, "12.5")
+    assert len(studio.document.history.steps) == steps + 1
+
+
+def test_delete_removes_a_state_with_its_transitions(author: Author) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_Delete)
+    assert [state.id for state in automaton(author).states] == [START, "return-with-box"]
+
+
+def test_deleting_a_learned_transition_prunes_it_and_it_can_be_taken_back(
+    author: Author, studio: Studio
+) -> None:
+    author.click_edge("wander", "return-with-box")
+    author.key(Qt.Key.Key_Delete)
+    edge = author.panel.scene.edges[(), "wander", "return-with-box"].edge
+    assert edge.is_pruned
+    assert studio.document.history.undo_text == "Prune the transition Wander → ReturnWithBox of Forage"
+    author.click_edge("wander", "return-with-box")
+    author.trigger("graph.unprune")
+    assert author.panel.scene.edges[(), "wander", "return-with-box"].edge.is_open
+
+
+def test_states_are_duplicated_with_their_transitions(author: Author) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_D, CTRL)
+    found = automaton(author)
+    assert len(found.states) == 5
+    assert len(found.rules) == 5
+    assert len(author.panel.scene.selected) == 2
+
+
+def test_states_are_copied_into_another_automaton(author: Author, blank: BehaviorKey) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(blank)
+    author.key(Qt.Key.Key_V, CTRL)
+    found = automaton(author)
+    assert [state.content for state in found.states[1:]] == [Nested("wander"), Nested("return-with-box")]
+    assert [(rule.source, rule.target) for rule in found.rules] == [
+        ("wander", "return-with-box"),
+        ("return-with-box", "wander"),
+    ]
+
+
+def test_what_was_learned_becomes_rules_and_back(author: Author, studio: Studio) -> None:
+    author.click(author.named("Wander"))
+    author.trigger("graph.author")
+    assert [rule.target for rule in automaton(author).rules_of("wander")] == ["return-with-box", "wander"]
+    author.trigger("graph.unauthor")
+    assert automaton(author).rules == ()
+
+
+def test_problems_show_at_their_place_as_they_arise(
+    panel: GraphPanel, blank: BehaviorKey, author: Author
+) -> None:
+    author.add_state("Forward")
+    author.add_state("RotateLeft")
+    author.link("Start", "Forward")
+    item = panel.scene.states["rotate-left",]
+    assert item.look.problem == "warning"
+    assert "never entered" in item.toolTip()
+    author.link("Forward", "RotateLeft")
+    assert "never entered" not in panel.scene.states["rotate-left",].toolTip()

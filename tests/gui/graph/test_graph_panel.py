@@ -1,0 +1,140 @@
+"""The automaton graph shows what the automaton does and who is where, and follows the hand."""
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from pytestqt.qtbot import QtBot
+
+from app.core.automaton import START
+from app.editor.graph.panel import GraphPanel
+from app.editor.graph.state_item import Path
+from app.editor.selection import BehaviorKey
+from app.editor.studio import Studio
+from app.engine.commands import Step
+from tests.gui.conftest import PATIENCE
+from tests.gui.graph.author import Author
+
+LEFT = Qt.MouseButton.LeftButton
+FORAGE, AUTHORED = BehaviorKey("agent", "forage"), BehaviorKey("authored-agent", "forage")
+RETURN: Path = ("return-with-box",)
+
+
+def test_states_and_edges_are_those_of_the_automaton(panel: GraphPanel) -> None:
+    assert set(panel.scene.states) == {(START,), ("wander",), RETURN}
+    edge = panel.scene.edges[(), "wander", "return-with-box"]
+    assert "sees a box" in edge.toolTip()
+    assert "ICanSeeABox = 1" in edge.toolTip()
+
+
+def test_clicking_a_state_selects_it_for_all_panels(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
+    Author(panel, qtbot).click(("wander",))
+    assert (studio.selection.behavior, studio.selection.state) == (FORAGE, "wander")
+
+
+def test_a_state_selected_elsewhere_is_marked(panel: GraphPanel, studio: Studio) -> None:
+    studio.selection.select_state("wander")
+    assert panel.scene.current == ("wander",)
+
+
+def test_arrow_keys_walk_from_state_to_state(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
+    Author(panel, qtbot).click((START,))
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down)
+    assert studio.selection.state == "wander"
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down)
+    assert studio.selection.state == "return-with-box"
+
+
+def test_the_expander_opens_an_automaton_in_place_to_any_depth(panel: GraphPanel, qtbot: QtBot) -> None:
+    Author(panel, qtbot).click(RETURN, panel.scene.states[RETURN].expander().center())
+    Author(panel, qtbot).settle()
+    inner = (*RETURN, "approach")
+    assert inner in panel.scene.states
+    outer, item = panel.scene.states[RETURN], panel.scene.states[inner]
+    assert outer.mapRectToScene(outer.box).contains(item.mapRectToScene(item.box))
+    Author(panel, qtbot).click(inner, item.expander().center())
+    Author(panel, qtbot).settle()
+    assert any(len(path) == 3 for path in panel.scene.states)
+    Author(panel, qtbot).click(RETURN, panel.scene.states[RETURN].expander().center())
+    Author(panel, qtbot).settle()
+    assert len(panel.scene.states) == 3
+
+
+def test_a_state_inside_an_open_one_is_selected_as_one_of_its_own_automaton(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    panel.toggle(RETURN)
+    Author(panel, qtbot).settle()
+    Author(panel, qtbot).click((*RETURN, "grab"))
+    assert studio.selection.behavior == BehaviorKey("agent", "return-with-box")
+    assert studio.selection.state == "grab"
+    assert panel.root == FORAGE
+
+
+def test_a_double_click_goes_into_an_automaton_and_backspace_comes_back(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.mouseDClick(panel.view.viewport(), LEFT, pos=Author(panel, qtbot).at(RETURN))
+    Author(panel, qtbot).settle()
+    assert panel.root == studio.selection.behavior == BehaviorKey("agent", "return-with-box")
+    qtbot.keyClick(panel.view, Qt.Key.Key_Backspace)
+    Author(panel, qtbot).settle()
+    assert panel.root == FORAGE
+
+
+def test_a_state_that_is_dragged_stays_there_and_undo_puts_it_back(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    start = Author(panel, qtbot).at(("wander",))
+    Author(panel, qtbot).drag(start, start + QPoint(60, 30))
+    Author(panel, qtbot).settle()
+    moved = studio.document.project.layout_of("agent", "forage")["wander"]
+    assert panel.scene.states["wander",].pos().toTuple() == pytest.approx(moved)
+    assert studio.document.history.undo_text == "Move states of Forage"
+    studio.undo()
+    Author(panel, qtbot).settle()
+    assert studio.document.project.layouts == {}
+
+
+def test_moving_states_does_not_make_anything_stale(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
+    before = studio.document.project.libraries
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down)
+    qtbot.keyClick(panel.view, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+    assert studio.document.project.layouts
+    assert studio.document.project.libraries is before
+
+
+def test_escape_ends_a_drag_and_leaves_all_as_it_was(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
+    surface, start = panel.view.viewport(), Author(panel, qtbot).at(("wander",))
+    before = panel.scene.states["wander",].pos()
+    qtbot.mousePress(surface, LEFT, pos=start)
+    qtbot.mouseMove(surface, start + QPoint(50, 50))
+    assert panel.scene.states["wander",].pos() != before
+    qtbot.keyClick(panel.view, Qt.Key.Key_Escape)
+    qtbot.mouseRelease(surface, LEFT, pos=start + QPoint(50, 50))
+    assert panel.scene.states["wander",].pos() == before
+    assert not studio.document.history.can_undo
+
+
+def test_shares_and_the_active_state_follow_the_world(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    assert studio.snapshot is not None
+    studio.selection.select_nodes(studio.snapshot.place.agents[:1])
+    studio.bridge.send(Step())
+    qtbot.waitUntil(lambda: panel.scene.states["wander",].look.active, timeout=PATIENCE)
+    looks = [item.look for item in panel.scene.states.values()]
+    assert sum(look.count for look in looks) == len(studio.snapshot.place.agents)
+    assert sum(look.share for look in looks) == pytest.approx(1.0, abs=0.01)
+
+
+def test_authored_rules_are_told_with_their_order(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
+    studio.selection.select_behavior(AUTHORED)
+    Author(panel, qtbot).settle()
+    edge = panel.scene.edges[(), "wander", "return-with-box"].edge
+    assert [(way.order, way.words) for way in edge.rules] == [(1, "sees a box")]
+
+
+def test_a_behavior_that_is_gone_leaves_an_explanation(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    studio.close_project()
+    qtbot.waitUntil(lambda: panel.root is None and not panel.scene.states, timeout=PATIENCE)

@@ -1,0 +1,127 @@
+"""The guided first lesson: it waits for what the user does, points at it, and can be taken up again."""
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton
+from pytestqt.qtbot import QtBot
+
+from app.editor.guide.ring import found
+from app.editor.guide.scratch import NAME, scratch_project
+from app.editor.guide.steps import FORAGING, SECOND, STEPS
+from app.editor.selection import BehaviorKey
+from app.editor.window.main_window import MainWindow
+from app.engine.snapshots import Mode
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.fixture
+def lesson(window: MainWindow, qtbot: QtBot) -> MainWindow:
+    """The lesson has begun."""
+    begin(window, qtbot)
+    return window
+
+
+def begin(window: MainWindow, qtbot: QtBot) -> None:
+    window.studio.actions["help.lesson"].trigger()
+    studio = window.studio
+    qtbot.waitUntil(lambda: window.guide.isVisible() and studio.snapshot is not None, timeout=PATIENCE)
+
+
+def at(window: MainWindow, qtbot: QtBot, title: str) -> None:
+    """Wait until the lesson has come to a step."""
+    qtbot.waitUntil(lambda: window.guide.title.text() == title, timeout=PATIENCE)
+
+
+def wait_ticks(window: MainWindow, qtbot: QtBot, ticks: int) -> None:
+    studio = window.studio
+    assert studio.snapshot is not None
+    until = studio.snapshot.tick + ticks
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick >= until, timeout=PATIENCE)
+
+
+def pick(window: MainWindow, qtbot: QtBot, name: str) -> None:
+    def button() -> QAbstractButton | None:
+        target = found(window, f"pick:{name}")
+        return target if isinstance(target, QAbstractButton) else None
+
+    qtbot.waitUntil(lambda: button() is not None, timeout=PATIENCE)
+    target = button()
+    assert target is not None
+    qtbot.mouseClick(target, Qt.MouseButton.LeftButton)
+
+
+def ring_is_around(window: MainWindow, qtbot: QtBot) -> Callable[[], bool]:
+    ring = window.guide.ring
+    return lambda: ring.isVisible() and ring.target is not None
+
+
+def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbot: QtBot) -> None:
+    window = lesson
+    assert window.studio.document.project.name == NAME
+    assert window.studio.document.folder is None
+    qtbot.waitUntil(ring_is_around(window, qtbot), timeout=PATIENCE)
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    at(window, qtbot, "Send it ahead")
+    pick(window, qtbot, "Forward")
+    at(window, qtbot, "Let it walk")
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    at(window, qtbot, "Turn it left")
+    pick(window, qtbot, "RotateLeft")
+    at(window, qtbot, "And ahead again")
+    wait_ticks(window, qtbot, 10)
+    pick(window, qtbot, "Forward")
+    at(window, qtbot, "Turn it right")
+    wait_ticks(window, qtbot, 10)
+    pick(window, qtbot, "RotateRight")
+    at(window, qtbot, "Ahead once more")
+    wait_ticks(window, qtbot, 10)
+    pick(window, qtbot, "Forward")
+    at(window, qtbot, "Test it")
+    qtbot.keyClick(window, Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
+    at(window, qtbot, "Watch them")
+    assert window.studio.mode is Mode.TESTING
+    at(window, qtbot, "Now foraging")
+    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    at(window, qtbot, "Take an agent in hand")
+
+
+def test_the_lesson_is_left_and_taken_up_again(lesson: MainWindow, qtbot: QtBot) -> None:
+    window = lesson
+    qtbot.mouseClick(window.guide.skip, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.guide.close_button, Qt.MouseButton.LeftButton)
+    assert not window.guide.isVisible()
+    assert not window.guide.ring.isVisible()
+    begin(window, qtbot)
+    assert window.guide.step == 1
+    assert window.studio.settings.lesson_step == 1
+
+
+def test_taken_up_in_its_second_half_in_another_session_wander_is_there(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    window.studio.settings.lesson_step = SECOND + 2
+    begin(window, qtbot)
+    assert window.guide.step in (SECOND, SECOND + 1)  # Forage may be selected already
+    assert window.guide.title.text() in [step.title for step in FORAGING[:2]]
+    assert window.studio.document.project.library("agent").automata["wander"].learned
+
+
+def test_another_project_puts_the_lesson_away(lesson: MainWindow, qtbot: QtBot, foraging: object) -> None:
+    studio = lesson.studio
+    studio.close_project()
+    assert not lesson.guide.isVisible()
+
+
+def test_every_step_points_at_something_or_at_nothing_on_purpose() -> None:
+    for step in STEPS:
+        assert step.points_at.partition(":")[0] in ("action", "pick", "panel", "canvas")
+
+
+@pytest.mark.parametrize("taught", [False, True])
+def test_the_lessons_project_is_sound(taught: bool) -> None:
+    from app.core.check import check
+
+    project, scenario = scratch_project(wander_is_taught=taught)
+    assert [p.message for p in check(project, scenario.vocabulary) if p.severity == "error"] == []

@@ -1,0 +1,140 @@
+"""Making a new behavior in one dialog."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from app.core.automaton import Basic, Nested, RaiseFlag
+from app.core.edits import note_project
+from app.core.features import Ground, Parameter, Sense
+from app.editor.forms.choosing import Chooser
+from app.editor.library.new_automaton import NewAutomatonDialog
+from app.editor.library.panel import LibraryPanel
+from app.editor.selection import BehaviorKey
+from app.editor.studio import Studio
+
+
+@pytest.fixture
+def dialog(studio: Studio, qtbot: QtBot) -> Iterator[NewAutomatonDialog]:
+    panel = LibraryPanel(studio)
+    qtbot.addWidget(panel)
+    panel.show()
+    studio.actions["behavior.new"].trigger()
+    dialog = panel.findChild(NewAutomatonDialog)
+    assert dialog is not None
+    yield dialog
+    panel.hide()
+
+
+def name_it(dialog: NewAutomatonDialog, qtbot: QtBot, name: str) -> None:
+    dialog.general.name.selectAll()
+    qtbot.keyClicks(dialog.general.name, name)
+
+
+def choose(chooser: Chooser, qtbot: QtBot, text: str) -> None:
+    chooser.field.setFocus()
+    chooser.field.selectAll()
+    qtbot.keyClicks(chooser.field, text)
+    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
+
+
+def press_ok(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    button = dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def test_all_of_a_behavior_is_made_as_one_step(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    before = studio.document.project
+    name_it(dialog, qtbot, "Approach")
+    qtbot.mouseClick(dialog.general.add, Qt.MouseButton.LeftButton)
+    dialog.tabs.setCurrentWidget(dialog.states)
+    for text in ("Forward", "Goto(X)", "raise arrived"):
+        choose(dialog.states.new, qtbot, text)
+    dialog.states.states.choose("goto")
+    box = dialog.states.slots.boxes["X"]
+    box.setFocus()
+    qtbot.keyClick(box, Qt.Key.Key_Down)  # the first is the parameter
+    dialog.tabs.setCurrentWidget(dialog.features)
+    choose(dialog.features.new.what, qtbot, "DistanceTo(target)")
+    assert not dialog.features.add.isEnabled()
+    assert "Choose what 'target' is" in dialog.features.missing.text()
+    target = dialog.features.new.slots.boxes["target"]
+    target.setFocus()
+    qtbot.keyClick(target, Qt.Key.Key_Down)
+    qtbot.keyClick(target, Qt.Key.Key_Down)  # the first target after the parameter
+    qtbot.mouseClick(dialog.features.add, Qt.MouseButton.LeftButton)
+    assert studio.document.project is before
+    press_ok(dialog, qtbot)
+
+    made = studio.document.project.library("agent").by_name("Approach")
+    assert made is not None
+    assert made.parameters == ("X",)
+    assert [state.content for state in made.states[1:]] == [
+        Basic("Forward"),
+        Nested("goto", {"X": Parameter("X")}),
+        RaiseFlag("arrived"),
+    ]
+    source = made.features[0].source
+    assert isinstance(source, Sense)
+    assert isinstance(source.bindings["target"], Ground)
+    assert studio.selection.behavior == BehaviorKey("agent", made.id)
+    assert studio.document.history.undo_text == "Add behavior Approach"
+    studio.undo()
+    assert studio.document.project is before
+
+
+def test_a_name_that_is_taken_is_said_beside_the_field_and_nothing_is_made(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    before = studio.document.project
+    name_it(dialog, qtbot, "Wander")
+    assert "already has a behavior called 'Wander'" in dialog.general.name_trouble.text()
+    press_ok(dialog, qtbot)
+    assert dialog.isVisible()
+    assert studio.document.project is before
+
+
+def test_cancel_leaves_nothing_behind(dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot) -> None:
+    before = studio.document.project
+    dialog.tabs.setCurrentWidget(dialog.states)
+    choose(dialog.states.new, qtbot, "Forward")
+    qtbot.keyClick(dialog, Qt.Key.Key_Escape)
+    assert studio.document.project is before
+
+
+def test_what_happened_to_the_project_meanwhile_is_kept(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    name_it(dialog, qtbot, "Look")
+    dialog.tabs.setCurrentWidget(dialog.states)
+    choose(dialog.states.new, qtbot, "RotateLeft")
+    studio.document.do(note_project, "taught meanwhile")
+    press_ok(dialog, qtbot)
+    made = studio.document.project.library("agent").by_name("Look")
+    assert made is not None
+    assert made.states[1].content == Basic("RotateLeft")
+    assert studio.document.project.note == "taught meanwhile"
+
+
+def test_a_controller_is_made_from_what_its_subsidiaries_can_do(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    types = dialog.general.types
+    types.setFocus()
+    qtbot.keyClick(types, Qt.Key.Key_Down)
+    name_it(dialog, qtbot, "Lead")
+    dialog.tabs.setCurrentWidget(dialog.states)
+    choose(dialog.states.new, qtbot, "Forage")
+    dialog.tabs.setCurrentWidget(dialog.features)
+    choose(dialog.features.new.what, qtbot, "agents' IAmAttachedToABox")
+    qtbot.mouseClick(dialog.features.add, Qt.MouseButton.LeftButton)
+    press_ok(dialog, qtbot)
+    made = studio.document.project.library("group").by_name("Lead")
+    assert made is not None
+    assert made.states[1].content == Basic("Forage")
+    assert made.features[0].shown == "any IAmAttachedToABox"

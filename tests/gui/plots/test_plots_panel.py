@@ -1,0 +1,71 @@
+"""Plots as a user sees them."""
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from app.editor.plots.panel import PlotsPanel
+from app.editor.window.main_window import MainWindow
+from app.engine.commands import Pause, Play
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.fixture
+def panel(window: MainWindow, qtbot: QtBot) -> PlotsPanel:
+    """The panel in front, in a world of groups that has run for a while."""
+    studio = window.studio
+    with qtbot.waitSignal(studio.bridge.place_changed, timeout=PATIENCE):
+        studio.use_arm("one level")
+    studio.actions["run.plot"].trigger()
+    panel = window.docks["plots"].widget()
+    assert isinstance(panel, PlotsPanel)
+    studio.bridge.send(Play(16.0))
+    qtbot.waitUntil(lambda: len(panel._record.points) > 5, timeout=PATIENCE)
+    studio.bridge.send(Pause())
+    qtbot.waitUntil(lambda: bool(panel._curves), timeout=PATIENCE)
+    return panel
+
+
+def names(panel: PlotsPanel) -> set[str]:
+    return {panel.name(key) for key in panel._curves}
+
+
+def test_shares_of_behaviors_are_drawn_in_their_colors(window: MainWindow, panel: PlotsPanel) -> None:
+    assert "Wander" in names(panel)
+    key = next(key for key in panel._curves if key[-1] == "Wander")
+    pen = panel._curves[key].opts["pen"]
+    assert pen.color() == window.studio.colors.color("agent", "wander")
+
+
+def test_the_share_of_states_and_every_measure_can_be_chosen(panel: PlotsPanel, qtbot: QtBot) -> None:
+    there = [panel.what.itemText(k) for k in range(panel.what.count())]
+    assert there == ["Behaviors of agents", "States of ControlForage", "Boxes", "Weight"] or "Boxes" in there
+    panel.what.setFocus()
+    for _ in range(panel.what.count()):
+        qtbot.keyClick(panel.what, Qt.Key.Key_Down)
+    assert panel.what.currentText() == "Weight"
+    qtbot.waitUntil(lambda: names(panel) == {"weight"}, timeout=PATIENCE)
+
+
+def test_a_group_can_be_plotted_by_itself(window: MainWindow, panel: PlotsPanel, qtbot: QtBot) -> None:
+    window.studio.selection.select_nodes(["group-2"])
+    assert panel.whom.count() == 2
+    panel.whom.setFocus()
+    qtbot.keyClick(panel.whom, Qt.Key.Key_Down)
+    qtbot.waitUntil(lambda: bool(panel._curves), timeout=PATIENCE)
+    key = next(iter(panel._curves))
+    values = panel._lines.line(key)[1]
+    assert set((5 * values).round(6)) <= {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}
+
+
+def test_another_world_begins_other_curves(window: MainWindow, panel: PlotsPanel, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(window.studio.bridge.place_changed, timeout=PATIENCE):
+        window.studio.use_arm("independent")
+    qtbot.waitUntil(lambda: len(panel._record.points) <= 1, timeout=PATIENCE)
+
+
+def test_before_time_has_passed_the_panel_says_what_to_do(window: MainWindow) -> None:
+    window.show_panel("plots")
+    panel = window.docks["plots"].widget()
+    assert isinstance(panel, PlotsPanel)
+    assert panel._pages.currentIndex() == 0

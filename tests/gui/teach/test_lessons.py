@@ -1,0 +1,130 @@
+"""Lessons: who is taught, by turns, controllers, tests, and corrections."""
+
+from PySide6.QtCore import Qt
+
+from app.engine.commands import Others
+from app.engine.snapshots import Mode
+from tests.gui.conftest import PATIENCE
+from tests.gui.teach.hand import Hand
+
+
+def test_an_open_parameter_is_asked_for_and_choosing_it_begins_the_lesson(hand: Hand) -> None:
+    hand.show("Goto", "agent-3")
+    hand.key(Qt.Key.Key_T)
+    choosing = hand.studio.teaching.choosing
+    assert choosing.wanted == "X"
+    assert hand.studio.mode is Mode.RUNNING
+    menu = hand.panel.idle.targets.menus["X"].menu()
+    menu.aboutToShow.emit()
+    deposit = next(action for action in menu.actions() if action.objectName() == "deposit")
+    deposit.trigger()
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
+    assert hand.lesson.plan.arguments == {"X": "deposit"}
+    assert hand.page.targets.menus["X"].text() == "deposit"
+
+
+def test_what_a_parameter_means_can_be_changed_in_the_middle_of_a_lesson(hand: Hand) -> None:
+    hand.studio.teaching._arguments = {}
+    hand.show("Goto", "agent-3")
+    hand.key(Qt.Key.Key_T)
+    hand.studio.teaching.set_argument("X", "deposit")
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
+    hand.pick("Forward")
+    hand.hold(2)
+    hand.act(lambda: hand.studio.teaching.set_argument("X", "nearest visible box"))
+    hand.settle()
+    assert hand.lesson.plan.arguments == {"X": "nearest visible box"}
+    assert hand.studio.teaching.state == "start"
+    hand.undo()  # the pick of before is undone as examples
+    assert not hand.said
+    assert len(hand.examples) == len(hand.studio.document.project.examples_of("agent", "goto"))
+
+
+def test_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3", "agent-7")
+    followed: list[str] = []
+    hand.studio.teaching.follow_requested.connect(followed.append)
+    assert hand.studio.teaching.node == "agent-3"
+    hand.key(Qt.Key.Key_Tab)
+    assert hand.studio.teaching.node == "agent-7"
+    assert hand.studio.selection.node == "agent-7"
+    assert hand.page.turn.text() == "2 of 2: Agent 7"
+    hand.settle()
+    hand.pick("RotateLeft")
+    assert hand.examples[-1].node == "agent-7"
+    hand.key(Qt.Key.Key_Tab)
+    assert hand.studio.teaching.node == "agent-3"
+    assert followed == ["agent-7", "agent-3"]
+    assert set(hand.studio.selection.nodes) == {"agent-3", "agent-7"}
+
+
+def test_others_stand_still_or_run_by_a_switch(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.hold(5)
+    x = hand.snapshot.columns["x"].copy()
+    hand.hold(5)
+    assert (hand.snapshot.columns["x"] == x).all()
+    hand.act(hand.studio.actions["teach.others"].trigger)
+    assert hand.lesson.plan.others is Others.RUN
+    hand.hold(5)
+    assert (hand.snapshot.columns["x"] != x).any()
+
+
+def test_a_controller_is_taught_and_its_subsidiaries_obey(hand: Hand) -> None:
+    with hand.qtbot.waitSignal(hand.studio.bridge.place_changed, timeout=PATIENCE):
+        hand.studio.use_arm("one level")
+    hand.teach("ControlForage", "group-1", type_name="group")
+    hand.pick("Forage")
+    hand.hold(1)
+    for agent in range(1, 6):
+        assert hand.snapshot.nodes[f"agent-{agent}"].behavior == "Forage"
+    assert hand.snapshot.nodes["agent-6"].behavior == ""
+    assert "Goto(closest attached agent)" in {choice.name for choice in hand.page.choices if choice.state}
+
+
+def test_an_arm_with_a_node_of_the_type_is_offered_where_this_one_has_none(hand: Hand) -> None:
+    hand.show("ControlForage", type_name="group")
+    hand.key(Qt.Key.Key_T)
+    bar = hand.window.messages
+    assert "no node of type 'group' in the arm 'independent'" in bar.words.text()
+    button = next(button for button in bar._answers if button.text() == "Use one level")
+    hand.click(button)
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
+    assert hand.lesson.plan.nodes == ("group-1",)
+    assert hand.snapshot.arm == "one level"
+
+
+def test_a_pick_in_a_test_takes_only_that_node_back_and_records_the_correction(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.test()
+    hand.hold(3)
+    assert not hand.lesson.taught
+    hand.studio.selection.select_nodes(("agent-9",))
+    before = len(hand.examples)
+    hand.pick("RotateRight")
+    assert hand.lesson.taught == {"agent-9"}
+    assert len(hand.examples) > before
+    hand.hold(1)
+    hand.wait(lambda: hand.page.buttons["rotate-right"].ring_color == "teach")
+
+
+def test_backspace_mends_the_last_transition_of_a_test(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    assert not hand.studio.actions["teach.mend"].isEnabled()
+    hand.test()
+    hand.hold(400)
+    before = hand.examples
+    hand.act(lambda: hand.key(Qt.Key.Key_Backspace))
+    (mended,) = hand.examples[len(before) :]
+    assert mended.source == mended.label
+    assert hand.lesson.taught == {"agent-3"}
+
+
+def test_teaching_the_same_again_changes_nothing(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(2)
+    hand.key(Qt.Key.Key_T)
+    hand.settle()
+    assert hand.studio.teaching.state == "forward"
+    assert hand.acts == 1

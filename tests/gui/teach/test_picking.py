@@ -1,0 +1,155 @@
+"""The teach panel: what can be picked, by clicks and keys, and what a pick does."""
+
+from PySide6.QtCore import Qt
+
+from app.core.automaton import Basic, Nested
+from app.core.edits import add_automaton, add_feature
+from app.core.features import Ground, Sense
+from app.editor.teach.button import Ring
+from app.engine.snapshots import Mode
+from tests.gui.teach.hand import Hand
+
+
+def test_before_a_lesson_the_panel_says_what_teaching_would_be_about(hand: Hand) -> None:
+    hand.show("Wander", "agent-3", "agent-7")
+    assert "Teach Wander to Agent 3, Agent 7." in hand.panel.idle.words.text()
+    hand.act(lambda: hand.click(hand.panel.idle.teach))
+    assert hand.lesson.plan.nodes == ("agent-3", "agent-7")
+    assert hand.window.docks["teach"].windowTitle() == "Teaching Wander to Agent 3"
+
+
+def test_without_a_selection_the_first_node_of_the_type_is_taught(hand: Hand) -> None:
+    hand.teach("Wander")
+    assert hand.lesson.plan.nodes == ("agent-1",)
+    assert hand.studio.selection.nodes == ("agent-1",)
+
+
+def test_states_have_digits_and_what_raises_a_flag_has_a_letter(hand: Hand) -> None:
+    hand.teach("ReturnWithBox", "agent-6")
+    keys = {choice.name: choice.key for choice in hand.page.choices if choice.state}
+    assert keys == {
+        "Goto(nearest visible box)": "1",
+        "GrabBox": "2",
+        "Goto(deposit)": "3",
+        "ReleaseBoxAndFinish": keys["ReleaseBoxAndFinish"],
+        "Done": "D",
+    }
+    assert keys["ReleaseBoxAndFinish"].isalpha()
+    assert len({choice.key for choice in hand.page.choices}) == len(hand.page.choices)
+    assert "T" not in {choice.key for choice in hand.page.choices}
+
+
+def test_a_pick_is_carried_out_in_the_next_tick(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    button = hand.page.buttons["rotate-left"]
+    hand.act(lambda: hand.click(button))
+    assert hand.lesson.waiting == {"agent-3"}
+    assert (button.ring, button.ring_color) == (Ring.NEXT, "teach")
+    hand.hold(1)
+    assert hand.studio.teaching.state == "rotate-left"
+    hand.wait(lambda: button.ring is Ring.NOW)
+    assert not hand.lesson.waiting
+
+
+def test_a_digit_picks_a_state_and_a_letter_adds_one(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.act(lambda: hand.key(Qt.Key.Key_2))
+    hand.hold(1)
+    assert hand.studio.teaching.state == "rotate-left"
+    letter = next(choice.key for choice in hand.page.choices if choice.name == "GrabBox")
+    hand.act(lambda: hand.key(Qt.Key(ord(letter))))
+    assert hand.automaton.states[-1].content == Basic("GrabBox")
+    assert hand.page.buttons["grab-box"].isVisible()
+
+
+def test_the_example_is_said_in_words_and_counted(hand: Hand) -> None:
+    hand.teach("Forage", "agent-3")
+    before = len(hand.examples)
+    hand.pick("Wander")
+    hand.hold(3)
+    hand.pick("ReturnWithBox")
+    assert len(hand.examples) == before + 4
+    assert hand.page.badge.text() == f"{before + 4} examples"
+    assert hand.page.last.text.startswith("Last: Wander → ReturnWithBox when it sees ")
+    counted = sum(example.label == "return-with-box" for example in hand.examples)
+    assert hand.page.buttons["return-with-box"]._caption == f"{counted} examples"
+
+
+def test_only_what_makes_no_circle_is_offered(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    offered = {choice.name for choice in hand.page.choices if not choice.state}
+    assert "Forage" not in offered  # it holds Wander
+    assert "Goto" in offered
+
+
+def test_whatever_can_be_added_is_found_by_name(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.click(hand.page.add)
+    hand.qtbot.keyClicks(hand.page.list.search, "grab")
+    assert hand.page.list.list.count() == 2  # and a flag of that name
+    hand.act(lambda: hand.qtbot.keyClick(hand.page.list.search, Qt.Key.Key_Return))
+    assert hand.automaton.states[-1].content == Basic("GrabBox")
+    assert not hand.page.list.isVisible()
+
+
+def test_a_behavior_with_a_slot_asks_for_its_target_and_is_picked_then(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    goto = next(choice for choice in hand.page.choices if choice.name == "Goto")
+    hand.key(Qt.Key(ord(goto.key)))
+    row = hand.page.targets
+    assert hand.acts == 0
+    menu = row.menus["X"].menu()
+    menu.aboutToShow.emit()
+    deposit = next(action for action in menu.actions() if action.objectName() == "deposit")
+    assert deposit.text() == "deposit   (deposit)"
+    assert menu.actions()[0].text().startswith("nearest visible box   (")
+    hand.act(deposit.trigger)
+    assert hand.automaton.states[-1].content == Nested("goto", {"X": Ground("deposit")})
+    assert hand.acts == 1
+
+
+def test_escape_gives_up_a_target_first_and_ends_the_lesson_then(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    goto = next(choice for choice in hand.page.choices if choice.name == "Goto")
+    hand.page.choose(goto)
+    hand.settle()
+    hand.key(Qt.Key.Key_Escape)
+    assert not hand.studio.teaching.choosing.is_busy
+    assert hand.studio.mode is Mode.TEACHING
+    hand.act(lambda: hand.key(Qt.Key.Key_Escape))
+    hand.wait(lambda: hand.studio.mode is Mode.RUNNING)
+
+
+def test_a_pick_can_step_on_while_time_stands_still(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.studio.actions["teach.steps_on"].trigger()
+    hand.pick("Forward")
+    hand.wait(lambda: hand.snapshot.tick == 1)
+    assert hand.studio.teaching.state == "forward"
+
+
+def test_examples_are_filed_under_the_name_of_the_demonstration(hand: Hand) -> None:
+    hand.show("Wander", "agent-3")
+    field = hand.panel.idle.filed
+    field.setFocus()
+    hand.qtbot.keyClicks(field, "zigzag")
+    hand.qtbot.keyClick(field, Qt.Key.Key_Return)
+    hand.act(lambda: hand.click(hand.panel.idle.teach))
+    hand.pick("Forward")
+    assert hand.examples[-1].demonstration == "zigzag"
+
+
+def test_a_lesson_without_a_name_gets_one_of_its_own(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    assert hand.examples[-1].demonstration == "wander-2"  # wander-1 is stored in the project
+
+
+def test_a_behavior_without_states_shows_all_that_it_could_do(hand: Hand) -> None:
+    document = hand.studio.document
+    new_id = document.do(add_automaton, "agent", "Blank")
+    document.do(add_feature, "agent", new_id, Sense("ICanSeeABox"))
+    hand.teach("Blank", "agent-3")
+    assert hand.page.buttons["Wander"].isVisible()
+    hand.act(lambda: hand.click(hand.page.buttons["Wander"]))
+    assert hand.automaton.states[-1].content == Nested("wander")

@@ -1,0 +1,111 @@
+"""The decision tree says how a state decides, and where the selected node is in it."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QPoint, Qt
+from pytestqt.qtbot import QtBot
+
+from app.core.automaton import Refit
+from app.core.edits import set_learned
+from app.core.tree import Forest, Tree
+from app.editor.selection import BehaviorKey
+from app.editor.studio import Studio
+from app.editor.tree.panel import TreePanel
+from app.engine.commands import Step
+from tests.gui.conftest import PATIENCE
+
+LEFT = Qt.MouseButton.LeftButton
+FORAGE = "agent", "forage"
+
+
+def at(panel: TreePanel, key: int) -> QPoint:
+    return panel.view.mapFromScene(panel.scene.nodes[key].scenePos())
+
+
+def learned(studio: Studio, model: object) -> None:
+    studio.settings.learns_by_itself = False
+    automaton = studio.document.automaton(*FORAGE)
+    assert automaton is not None
+    models = {**automaton.learned, "wander": model}
+    studio.document.do(set_learned, *FORAGE, models, automaton.learned_from)
+
+
+def test_tests_and_leaves_are_told_in_words(panel: TreePanel) -> None:
+    assert panel.subject is not None
+    words = {key: panel.subject.words(item.knot) for key, item in panel.scene.nodes.items()}
+    assert (words[1].title, words[1].under) == ("sees a box?", "5 examples")
+    assert (words[2].title, words[2].under) == ("Wander", "3 examples · p 1.0")
+    assert (words[3].title, words[3].under) == ("ReturnWithBox", "2 examples · p 1.0")
+
+
+def test_another_state_is_shown_when_it_is_selected(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_state("return-with-box")
+    assert panel.subject is not None
+    assert panel.subject.words(panel.scene.nodes[1].knot).title == "done?"
+
+
+def test_clicking_a_node_selects_the_examples_that_reach_it(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.mouseClick(panel.view.viewport(), LEFT, pos=at(panel, 3))
+    chosen = [e for e in studio.document.project.examples_of(*FORAGE) if e.id in studio.selection.examples]
+    assert len(chosen) == 2
+    assert {example.label for example in chosen} == {"return-with-box"}
+
+
+def test_arrow_keys_walk_the_tree(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    qtbot.mouseClick(panel.view.viewport(), LEFT, pos=at(panel, 1))
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down)
+    assert panel.scene.chosen == 2
+    qtbot.keyClick(panel.view, Qt.Key.Key_Right)
+    assert panel.scene.chosen == 3
+    qtbot.keyClick(panel.view, Qt.Key.Key_Up)
+    assert panel.scene.chosen == 1
+
+
+def test_enter_hides_what_is_below_a_node_and_shows_it_again(panel: TreePanel, qtbot: QtBot) -> None:
+    qtbot.mouseClick(panel.view.viewport(), LEFT, pos=at(panel, 1))
+    qtbot.keyClick(panel.view, Qt.Key.Key_Return)
+    assert set(panel.scene.nodes) == {1}
+    assert panel.scene.nodes[1].knot.hidden == 1
+    qtbot.keyClick(panel.view, Qt.Key.Key_Return)
+    assert set(panel.scene.nodes) == {1, 2, 3}
+
+
+def test_the_path_of_the_selected_node_is_lit(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    assert studio.snapshot is not None
+    studio.selection.select_nodes(studio.snapshot.place.agents[:1])
+    studio.bridge.send(Step())
+    qtbot.waitUntil(lambda: panel.scene.is_lit(1), timeout=PATIENCE)
+    assert panel.scene.is_lit(2) is not panel.scene.is_lit(3)
+
+
+def test_rules_are_listed_in_order_above_the_tree(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_behavior(BehaviorKey("authored-agent", "goto"), "forward")
+    shown = [panel.rules.item(row).text() for row in range(panel.rules.count())]
+    assert len(shown) == 5
+    assert shown[-1] == "5.  otherwise → RotateRight"
+
+
+def test_of_a_forest_one_tree_is_chosen(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    automaton = studio.document.automaton(*FORAGE)
+    assert automaton is not None
+    tree, other = automaton.learned["wander"], automaton.learned["return-with-box"]
+    assert isinstance(tree, Tree)
+    assert isinstance(other, Tree)
+    other = replace(other, labels=tree.labels)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        learned(studio, Forest(tree.labels, (tree, other)))
+    assert panel.which.isVisible()
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        qtbot.keyClick(panel.which, Qt.Key.Key_Up)
+    assert panel.subject is not None
+    assert panel.subject.tree is other
+
+
+def test_a_model_without_a_tree_says_so(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        learned(studio, Refit("knn"))
+    assert "has no tree" in panel.message

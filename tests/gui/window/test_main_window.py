@@ -1,0 +1,77 @@
+"""The window's frame: docks, menus from the table, undo, arms."""
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from app.core.edits import note_project
+from app.editor.actions import MENUS
+from app.editor.studio import Studio
+from app.editor.window.docks import DOCKS
+from app.editor.window.main_window import MainWindow
+from tests.gui.conftest import PATIENCE
+
+
+def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: MainWindow) -> None:
+    for row in window.studio.actions.rows.values():
+        assert row.text, row.id
+        assert row.tip, f"{row.id} has no tip"
+        assert row.menu in ("", *MENUS), row.id
+
+
+def test_no_two_actions_have_the_same_shortcut(window: MainWindow) -> None:
+    keys: dict[str, str] = {}
+    for action_id in window.studio.actions.rows:
+        shortcut = window.studio.actions.keys_of(action_id)
+        if shortcut:
+            assert shortcut not in keys, f"{action_id} and {keys[shortcut]} both have {shortcut}"
+            keys[shortcut] = action_id
+
+
+@pytest.mark.parametrize("panel", [row.id for row in DOCKS])
+def test_every_panel_can_be_hidden_and_brought_back(window: MainWindow, panel: str) -> None:
+    dock = window.docks[panel]
+    dock.hide()
+    window.studio.actions[f"view.{panel}"].trigger()
+    assert not dock.isHidden()
+
+
+def test_space_lets_time_pass_and_stops_it(window: MainWindow, qtbot: QtBot) -> None:
+    studio = window.studio
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick > 3, timeout=PATIENCE)
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.speed == 0.0, timeout=PATIENCE)
+
+
+def test_an_edit_is_undone_and_redone_by_keys(window: MainWindow, qtbot: QtBot) -> None:
+    document = window.studio.document
+    before = document.project
+    document.do(note_project, "another note")
+    after = document.project
+    assert window.isWindowModified()
+    qtbot.waitUntil(window.studio.actions["edit.undo"].isEnabled)
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert document.project is before
+    assert not window.isWindowModified()
+    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    qtbot.keyClick(window, Qt.Key.Key_Z, both)
+    assert document.project is after
+
+
+def test_another_arm_is_begun_from_the_tool_bar(window: MainWindow, qtbot: QtBot, studio: Studio) -> None:
+    arms = window.toolbar.arm
+    with qtbot.waitSignal(studio.bridge.place_changed, timeout=PATIENCE):
+        arms.setFocus()
+        qtbot.keyClick(arms, Qt.Key.Key_Down)
+    assert studio.arm is not None
+    assert studio.arm.name == "one level"
+
+
+def test_a_seed_that_is_none_is_refused_in_words(window: MainWindow, qtbot: QtBot) -> None:
+    window.toolbar.seed.setText("")
+    qtbot.keyClicks(window.toolbar.seed, "minus one")
+    with qtbot.waitSignal(window.messages.shown) as shown:
+        qtbot.keyClick(window.toolbar.seed, Qt.Key.Key_Return)
+    assert shown.args is not None
+    assert "a seed is a whole number" in shown.args[0]

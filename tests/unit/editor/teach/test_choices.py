@@ -1,0 +1,69 @@
+"""What can be picked while an automaton is taught, and with which keys."""
+
+from app.core.automaton import Automaton, Basic, Nested, RaiseFlag, Start, State
+from app.core.features import Ground
+from app.core.library import Library
+from app.core.vocabulary import DONE, BasicBehavior, Vocabulary
+from app.editor.teach.choices import DIGITS, LETTERS, Choice, choices_of
+
+VOCABULARY = Vocabulary(
+    behaviors={
+        behavior.name: behavior
+        for behavior in (BasicBehavior("Forward"), BasicBehavior("Stop", raises=DONE), BasicBehavior("Turn"))
+    }
+)
+
+
+def made(
+    automaton_id: str, *contents: Basic | Nested | RaiseFlag, parameters: tuple[str, ...] = ()
+) -> Automaton:
+    states = tuple(State(f"s{number}", content) for number, content in enumerate(contents))
+    start = State("start", Start(), "Start")
+    return Automaton(automaton_id, automaton_id.title(), parameters, (start, *states))
+
+
+def choices(automaton: Automaton, *others: Automaton, reserved: tuple[str, ...] = ()) -> dict[str, Choice]:
+    library = Library({a.id: a for a in (automaton, *others)})
+    return {choice.name: choice for choice in choices_of(automaton, library, VOCABULARY, reserved)}
+
+
+def test_states_come_first_and_have_digits() -> None:
+    found = choices(made("walk", Basic("Forward"), Basic("Turn")))
+    assert [(c.name, c.state, c.key) for c in list(found.values())[:2]] == [
+        ("Forward", "s0", "1"),
+        ("Turn", "s1", "2"),
+    ]
+
+
+def test_a_letter_stays_with_what_raises_a_flag_when_it_becomes_a_state() -> None:
+    before, after = choices(made("walk")), choices(made("walk", Basic("Forward"), Basic("Stop")))
+    assert before["Stop"].key == after["Stop"].key == "S"
+    assert (before["Stop"].state, after["Stop"].state) == ("", "s1")
+
+
+def test_reserved_keys_are_left_alone_and_no_key_is_given_twice() -> None:
+    found = choices(made("walk", Basic("Forward")), made("seek"), made("sweep"), reserved=("S", "T"))
+    keys = [choice.key for choice in found.values() if choice.key]
+    assert not {"S", "T"} & set(keys)
+    assert len(keys) == len(set(keys))
+
+
+def test_what_holds_the_automaton_cannot_become_its_state() -> None:
+    inner, outer = made("inner"), made("outer", Nested("inner"))
+    assert "Outer" not in choices(inner, outer)
+    assert "Inner" in choices(outer, inner)
+
+
+def test_a_behavior_with_a_slot_can_be_added_again_with_another_target() -> None:
+    seek = made("seek", parameters=("X",))
+    found = choices(made("walk", Nested("seek", {"X": Ground("box")}), Basic("Turn")), seek)
+    assert found["Seek(box)"].state == "s0"
+    assert found["Seek"].slots == ("X",)
+    assert found["Turn"].state == "s1"
+
+
+def test_more_behaviors_than_keys_leave_some_without_one() -> None:
+    many = [made(f"b{number}") for number in range(len(LETTERS) + len(DIGITS))]
+    keys = [choice.key for choice in choices(made("walk"), *many).values()]
+    assert keys.count("") > 0
+    assert len([key for key in keys if key]) == len(LETTERS)
