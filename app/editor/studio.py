@@ -192,6 +192,16 @@ class Studio(QObject):
             self._begin()
         self.touch()
 
+    @property
+    def physics(self) -> str:
+        """What moves things in the world that is shown."""
+        return str(self._settings.get("physics", "kinematic"))
+
+    def use_physics(self, physics: str) -> None:
+        """Begin the arm again in a world of other physics."""
+        if self._arm:
+            self.use_arm(self._arm, {**self._settings, "physics": physics})
+
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
         self._undo_ticket = self._undos_waiting = 0

@@ -286,7 +286,7 @@ class Files(QObject):
     def leave(self, then: Then) -> None:
         """Do *then*, which ends the work on the open project, once nothing can be lost by it."""
         document = self.studio.document
-        if self._window.findChild(Question) is not None:
+        if any(question.isVisible() for question in self._window.findChildren(Question)):
             return  # something else is being asked
         if self.saving.runs:
             self.saving.afterwards(partial(self.leave, then))

@@ -10,6 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from ..plotting import dress, quiet_plot
+
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings, Summary
     from ..theme import Theme
@@ -30,12 +32,7 @@ class CurvesView(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self.plot = pg.PlotWidget()
-        self.plot.setMenuEnabled(False)
-        self.plot.hideButtons()
-        self.plot.setAccessibleName("curves")
-        self.plot.getAxis("bottom").setLabel("tick")
-        self.plot.getAxis("bottom").enableAutoSIPrefix(False)
+        self.plot = quiet_plot("curves")
         self._legend = self.plot.addLegend(offset=(10, 8), labelTextSize="9pt")
         self._items: list[tuple[Any, Any, Any]] = []  # line, lower edge, upper edge
         self.names: list[str] = []
@@ -77,13 +74,7 @@ class CurvesView(QWidget):
         return self.plot.plot(pen=pen, name=name), low, high
 
     def _dress(self) -> None:
-        theme = self._theme
-        self.plot.setBackground(theme.color("panel"))
-        for side in ("left", "bottom"):
-            axis = self.plot.getAxis(side)
-            axis.setPen(theme.color("hairline"))
-            axis.setTextPen(theme.color("dim"))
-        self._legend.setLabelTextColor(theme.color("text"))
+        dress(self.plot, self._theme)
         self.names = []  # lines take their colors anew when they are drawn next
 
 

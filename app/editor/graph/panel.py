@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from html import escape
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
@@ -11,12 +9,12 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
 from ...core.automaton import Content
-from ...core.check.problem import Problem
 from ...core.edits import move_states
 from ...core.project import Position
 from ..selection import BehaviorKey
 from . import offers
 from .arrangement import Point
+from .badges import Badges
 from .drafts import Drafts
 from .editing import GraphEditing
 from .form_strip import FormStrip
@@ -24,9 +22,8 @@ from .laying_out import LayingOut
 from .level import Drawn
 from .live import path_of
 from .menus import add_menu, context_menu
-from .problems import Spot, problems_of, spots, worst
 from .rows import graph_rows
-from .scene import EdgeKey, GraphScene
+from .scene import GraphScene
 from .scoping import Scoping
 from .state_item import Path
 from .trail import Trail
@@ -67,7 +64,6 @@ class GraphPanel(QWidget):
         self.root: BehaviorKey | None = None
         self._way: list[BehaviorKey] = []
         self._open: set[Path] = set()
-        self._checked: dict[Path, tuple[tuple[object, ...], Mapping[Spot, list[Problem]]]] = {}
         self.menu: QMenu | None = None
         self._selecting = self._entering = False
         self.laying_out = LayingOut()
@@ -76,6 +72,7 @@ class GraphPanel(QWidget):
         self.view = GraphView(self.scene, studio.theme)
         self.editing = GraphEditing(studio, self.scene)
         self.form = FormStrip(studio, self.scoping)
+        self._badges = Badges(studio.document, self.scoping, self.scene)
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
@@ -169,7 +166,7 @@ class GraphPanel(QWidget):
         self._hint.setText(EMPTY if drawn is not None and len(drawn.graph.states) < 2 else HINT)
         self._show_trail()
         self._state_changed()
-        self._show_problems()
+        self._badges.show()
         self._show_form()
         self._follow()
         self.view.changed()
@@ -179,7 +176,8 @@ class GraphPanel(QWidget):
     def _show_trail(self) -> None:
         keys = [*self._way, *([self.root] if self.root else [])]
         found = [(key, self.studio.document.automaton(key.type, key.id)) for key in keys]
-        self._trail.show_way([(key, automaton.name) for key, automaton in found if automaton is not None])
+        way = [(key, automaton.name) for key, automaton in found if automaton is not None]
+        self._trail.show_way(way if len(way) > 1 else [])  # one by itself stands in the title
         self.title_changed.emit(f"Automaton · {found[-1][1].name}" if found and found[-1][1] else "Automaton")
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -397,33 +395,6 @@ class GraphPanel(QWidget):
         place = self.view.mapToScene(self.view.viewport().mapFromGlobal(at)).toTuple()
         self.menu = context_menu(self, place)
         self.menu.popup(at)
-
-    def _show_problems(self) -> None:
-        states: dict[Path, str] = {}
-        edges: dict[EdgeKey, str] = {}
-        for path, level in self.scene.levels.items():
-            for spot, found in self._problems(level).items():
-                told = "\n".join(problem.message for problem in found)
-                if len(spot) == 1 and (*path, *spot) in self.scene.states:
-                    states[*path, *spot] = worst(found)
-                    self.scene.states[*path, *spot].setToolTip(told)
-                elif (path, *spot) in self.scene.edges:
-                    edges[path, spot[0], spot[-1]] = worst(found)
-                    line = self.scene.edges[path, spot[0], spot[-1]]
-                    line.setToolTip(f"{line.toolTip()}<br>{escape(told)}")
-        self.scene.show_problems(states, edges)
-
-    def _problems(self, level: Drawn) -> Mapping[Spot, list[Problem]]:
-        scope = self.scoping.scope(level.type)
-        if scope is None:
-            return {}
-        examples = self.studio.document.project.examples_of(level.type, level.automaton.id)
-        made_of = scope, level.automaton, examples
-        kept = self._checked.get(level.path)
-        if kept is None or not all(a is b for a, b in zip(kept[0], made_of, strict=True)):
-            found = problems_of(scope, level.automaton, examples)
-            kept = self._checked[level.path] = made_of, spots(level.automaton, found)
-        return kept[1]
 
     # -------------------------------------------------------------------------------------------------- live
 

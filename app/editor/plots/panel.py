@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import pyqtgraph as pg
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import (
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from ...core.hierarchy import Node
     from ...engine.snapshots import Snapshot
     from ..studio import Studio
+    from .lines_view import LinesView
 
 #: Milliseconds between two drawings.
 REDRAW = 100
@@ -45,11 +45,9 @@ class PlotsPanel(QWidget):
         self._studio = studio
         self._record = Record()
         self._lines = Lines(BehaviorShares())
-        self._curves: dict[LineKey, Any] = {}
+        self.view: LinesView | None = None
         self.what = self._box("What is plotted")
         self.whom = self._box("Of whom: the world, or what is below the selected controller")
-        self.plot = self._plot()
-        self._legend = self.plot.addLegend(offset=(-8, 8), labelTextSize="8pt")
         self._lay_out()
         self._timer = QTimer(self, interval=REDRAW, singleShot=True)
         self._timer.timeout.connect(self.redraw)
@@ -58,12 +56,11 @@ class PlotsPanel(QWidget):
         studio.opened.connect(self._another_world)
         studio.selection.nodes_changed.connect(self._offer)
         studio.selection.behavior_changed.connect(self._offer)
-        studio.colors.changed.connect(self._dress)
-        studio.theme.changed.connect(self._dress)
+        studio.colors.changed.connect(self._choose)
+        studio.theme.changed.connect(self._choose)
         self.what.activated.connect(lambda _: self._choose())
         self.whom.activated.connect(lambda _: self._choose())
         studio.actions.add(plot_rows(self))
-        self._dress()
         self._offer()
 
     def _box(self, tip: str) -> QComboBox:
@@ -72,16 +69,6 @@ class PlotsPanel(QWidget):
         box.setAccessibleName(tip)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         return box
-
-    def _plot(self) -> Any:
-        plot = pg.PlotWidget()
-        plot.setMenuEnabled(False)
-        plot.hideButtons()
-        plot.setMouseEnabled(x=True, y=False)
-        plot.setAccessibleName("plot over time")
-        plot.getAxis("bottom").setLabel("tick")
-        plot.getAxis("bottom").enableAutoSIPrefix(False)
-        return plot
 
     def _lay_out(self) -> None:
         full, bar = QWidget(), QHBoxLayout()
@@ -97,7 +84,7 @@ class PlotsPanel(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addLayout(bar)
-        column.addWidget(self.plot, 1)
+        self._room = column
         empty = QLabel(EMPTY)
         empty.setProperty("role", "empty")
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -167,10 +154,8 @@ class PlotsPanel(QWidget):
         self.whom.setEnabled(not isinstance(subject, MeasureOf))
         group = self.group() if self.whom.currentData() and not isinstance(subject, MeasureOf) else None
         self._lines = Lines(subject or BehaviorShares(), rows_below(group))
-        for curve in self._curves.values():
-            self.plot.removeItem(curve)
-        self._curves = {}
-        self._legend.clear()
+        if self.view is not None:
+            self.view.clear()
         self.redraw()
 
     # -------------------------------------------------------------------------------------------- drawing
@@ -187,17 +172,23 @@ class PlotsPanel(QWidget):
         if not self.isVisible() or len(points) < 2:
             return
         self._lines.follow(points, self._record.version)
-        keys = self._largest()
-        for key in [key for key in self._curves if key not in keys]:
-            self.plot.removeItem(self._curves.pop(key))
+        keys, view = self._largest(), self._viewed()
+        view.keep(keys)
         for key in keys:
-            ticks, values = self._lines.line(key)
-            if key not in self._curves:
-                self._curves[key] = self.plot.plot(pen=self._pen(key), name=self.name(key))
-            self._curves[key].setData(ticks, values)
+            if key not in view.curves:
+                view.begin(key, self.name(key), self._color(key), self._style(key))
+            view.draw(key, *self._lines.line(key))
         share = not isinstance(self._lines.subject, MeasureOf)
-        self.plot.setYRange(0.0, 1.0) if share else self.plot.enableAutoRange("y")
-        self.plot.getAxis("left").setLabel("share" if share else self.what.currentText().lower())
+        view.scale("share" if share else self.what.currentText().lower(), share=share)
+
+    def _viewed(self) -> LinesView:
+        """The plot, made when it is needed first."""
+        if self.view is None:
+            from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
+
+            self.view = LinesView(self._studio.theme)
+            self._room.addWidget(self.view, 1)
+        return self.view
 
     def _largest(self) -> list[LineKey]:
         keys = list(self._lines.keys)
@@ -214,9 +205,6 @@ class PlotsPanel(QWidget):
                 return key[3]
             return state_words(automaton, key[3], document.project.library(key[1]))
         return key[-1]
-
-    def _pen(self, key: LineKey) -> Any:
-        return pg.mkPen(self._color(key), width=2, style=self._style(key))
 
     def _color(self, key: LineKey) -> QColor:
         studio = self._studio
@@ -241,16 +229,6 @@ class PlotsPanel(QWidget):
             Qt.PenStyle.DashDotDotLine,
         ]
         return styles[greys.index(key) % len(styles)]
-
-    def _dress(self) -> None:
-        theme = self._studio.theme
-        self.plot.setBackground(theme.color("panel"))
-        for side in ("left", "bottom"):
-            axis = self.plot.getAxis(side)
-            axis.setPen(theme.color("hairline"))
-            axis.setTextPen(theme.color("dim"))
-        self._legend.setLabelTextColor(theme.color("text"))
-        self._choose()
 
 
 def plot_rows(panel: PlotsPanel) -> tuple[ActionRow, ...]:

@@ -23,11 +23,12 @@ from ...core.automaton import Cut, Refit
 from ...core.conditions import AtMost, InArc
 from ...core.cuts import with_cuts
 from ...core.phrasing import number
-from ...core.tree import Branch, Forest, Tree
+from ...core.tree import Forest, Tree
 from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
 from ..diagram.label_colors import state_colors
-from .preview import Answer, Preview, Question
+from .menus import node_menu
+from .previewing import Previewing
 from .pruning import Pruning
 from .reaching import Reaching
 from .rows import tree_rows
@@ -73,9 +74,7 @@ class TreePanel(QWidget):
         self.rules = RuleList(studio)
         self.tools = Tools(studio)
         self.pruning = Pruning(studio)
-        self.preview = Preview()
-        self.previewed: Tree | None = None
-        self._preview_of: object = None
+        self.previewing = Previewing(studio, self.tools.confidence, self.pruning)
         self.menu: QMenu | None = None
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self.refresh)
@@ -144,16 +143,12 @@ class TreePanel(QWidget):
         self.view.removed.connect(self.prune)
         self.view.menu_wanted.connect(self._menu)
         self.tools.opened.connect(self._show_tools)
-        cut, confidence = self.tools.cut, self.tools.confidence
+        cut = self.tools.cut
         cut.dragged.connect(self._cut_dragged)
         cut.dropped.connect(self._cut_dropped)
         cut.cancelled.connect(self._dress)
         cut.settled.connect(studio.document.end_gesture)
-        confidence.dragged.connect(self._ask_preview)
-        confidence.dropped.connect(lambda found: self._keep_confidence(found, ""))
-        confidence.stepped.connect(lambda found: self._keep_confidence(found, "pruning confidence"))
-        confidence.settled.connect(studio.document.end_gesture)
-        self.preview.came.connect(self._previewed)
+        self.previewing.changed.connect(self._show_tree)
 
     # ------------------------------------------------------------------------------------------- what is shown
 
@@ -226,13 +221,13 @@ class TreePanel(QWidget):
     def _show(self, subject: Subject | None, *, other: bool) -> None:
         self.subject = subject
         if other:
-            self.previewed = None
+            self.previewing.forget()
             self.scene.forget_opened()
             self.view.is_fitted = True
         self._show_states(subject)
         self.which.setVisible(subject is not None and subject.trees > 1)
         self.rules.show_subject(subject)
-        self.scene.build(self._as_previewed(subject))
+        self.scene.build(self.previewing.shown(subject))
         self._show_tools()
         self._message.setText(self._explanation())
         self._pages.setCurrentIndex(1 if subject is not None and subject.tree is not None else 0)
@@ -317,6 +312,12 @@ class TreePanel(QWidget):
         self._show_tools()
         self.studio.touch()
 
+    def _show_tree(self) -> None:
+        """The tree alone has changed: a preview came, or is not wanted any more."""
+        self.scene.build(self.previewing.shown(self.subject))
+        self._follow()
+        self.view.changed()
+
     def _toggle(self, key: Key) -> None:
         self.scene.toggle(key)
         self._follow()
@@ -327,7 +328,7 @@ class TreePanel(QWidget):
         super().hideEvent(event)
         self._soon.stop()
         self._live.stop()
-        self.preview.close()
+        self.previewing.close()
 
     # ------------------------------------------------------------------------------------------------ pruning
 
@@ -342,22 +343,9 @@ class TreePanel(QWidget):
             self.pruning.take_back(self.subject, self.scene.chosen)
 
     def _menu(self, at: QPoint) -> None:
-        subject = self.subject
-        if subject is None or not self.scene.chosen:
-            return
-        key = self.scene.chosen
-        menu = self.menu = QMenu(self)
-        for action in ("tree.prune", "tree.take_back"):
-            menu.addAction(self.studio.actions[action])
-        menu.addSeparator()
-        for label in subject.labels_at(key):
-            menu.addAction(f"Never to {subject.name(label)} here").triggered.connect(
-                lambda _checked, label=label: self.pruning.label(subject, key, label)
-            )
-        menu.addSeparator()
-        menu.addAction(self.studio.actions["tree.histogram"])
-        self.studio.actions.refresh()
-        menu.popup(at)
+        if self.subject is not None and self.scene.chosen:
+            self.menu = node_menu(self, self.subject, self.scene.chosen)
+            self.menu.popup(at)
 
     # ------------------------------------------------------------------------------------- below the tree
 
@@ -391,48 +379,6 @@ class TreePanel(QWidget):
             gesture = "" if not self.tools.cut.hasFocus() else f"cut {self.subject.state} {key}"
             self.pruning.cut(self.subject, key, test, gesture)
 
-    # ------------------------------------------------------------------------------------- pruning confidence
-
-    def _ask_preview(self, confidence: float | None) -> None:
-        subject = self.subject
-        if subject is None:
-            return
-        project = self.studio.document.project
-        examples = project.examples_of(subject.type, subject.automaton.id)
-        vocabulary = self.studio.document.scenario.vocabulary
-        self.preview.ask(Question(subject.automaton, subject.state, examples, vocabulary, confidence))
-
-    def _previewed(self, answer: Answer) -> None:
-        subject = self.subject
-        same = subject is not None and answer.question.automaton is subject.automaton
-        if not same or subject is None or answer.question.state != subject.state:
-            return
-        if answer.tree is None or subject.tree is None:
-            self.tools.confidence.tell(answer.problem or "There is no tree to prune in this state.")
-            return
-        self.previewed, self._preview_of = answer.tree, subject.model
-        before, after = _tests(subject.tree), _tests(answer.tree)
-        self.tools.confidence.tell(
-            f"{before} test{'' if before == 1 else 's'} in the tree now, {after} then."
-        )
-        self.scene.build(self._as_previewed(subject))
-        self._follow()
-        self.view.changed()
-
-    def _as_previewed(self, subject: Subject | None) -> Subject | None:
-        """What is shown of a subject: the previewed tree, until what is learned is another one."""
-        if subject is None or self.previewed is None or subject.model is not self._preview_of:
-            self.previewed = None
-            return subject
-        return replace(subject, tree=self.previewed)
-
-    def _keep_confidence(self, confidence: float | None, gesture: str) -> None:
-        if self.subject is not None:
-            self.pruning.confidence(self.subject, confidence, gesture)
-            if self.subject.automaton.settings.pruning_confidence == confidence:
-                self.previewed = None
-                self._dress()
-
 
 def _same(a: object, b: object) -> bool:
     """Whether two parts are one and the same; small ones are compared."""
@@ -441,7 +387,3 @@ def _same(a: object, b: object) -> bool:
 
 def _can_prune(classifier: str) -> bool:
     return classifier in METHODS and METHODS[classifier].prunes
-
-
-def _tests(tree: Tree) -> int:
-    return sum(isinstance(node, Branch) for node in tree.nodes())

@@ -15,7 +15,7 @@ from .prune_page import PrunePage
 if TYPE_CHECKING:
     from ..studio import Studio
 
-HEIGHT = 128
+HEIGHT = 112
 
 
 class Tools(QWidget):

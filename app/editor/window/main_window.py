@@ -19,12 +19,13 @@ from ..documents.files import Files
 from ..documents.recent_menu import RecentMenu
 from ..documents.welcome import WelcomePage
 from ..experiments.rows import Experiments
+from ..exporting.dialog import export_rows
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks, size_docks
 from .messages import MessageBar
-from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
+from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
 from .toolbar import Toolbar
 
@@ -69,10 +70,12 @@ class MainWindow(QMainWindow):
         studio.actions.add(
             (
                 *self.files.rows(),
+                *export_rows(self),
                 *edit_rows(),
                 *view_rows(),
                 *teach_rows(),
                 *time_rows(self.speed),
+                *physics_rows(),
                 *self.experiments.rows(),
             )
         )

@@ -453,3 +453,16 @@ def test_recent_projects_are_in_the_file_menu(desk: MainWindow, qtbot: QtBot, fo
     (entry,) = desk.recent.actions()
     entry.trigger()
     qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
+
+
+def test_of_a_damaged_project_the_autosave_can_be_opened_instead(
+    desk: MainWindow, qtbot: QtBot, folder: Path, small: Project
+) -> None:
+    ours = claims.new_owner()
+    gone = Owner(2**22 + 1, ours.host, "1", ours.since, "gone")
+    autosaves.write(folder / NAME, note_project(small, "kept"), folder, gone, None)
+    (folder / "project.json").write_text("{", encoding="utf-8")
+    desk.files.open(folder)
+    answer(desk, qtbot, "Open the autosave")
+    qtbot.waitUntil(lambda: desk.studio.document.project.note == "kept", timeout=PATIENCE)
+    assert desk.isWindowModified()

@@ -1,10 +1,14 @@
 """Plots as a user sees them."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app.editor.plots.panel import PlotsPanel
+from app.editor.plots.series import LineKey
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Pause, Play
 from tests.gui.conftest import PATIENCE
@@ -22,18 +26,22 @@ def panel(window: MainWindow, qtbot: QtBot) -> PlotsPanel:
     studio.bridge.send(Play(16.0))
     qtbot.waitUntil(lambda: len(panel._record.points) > 5, timeout=PATIENCE)
     studio.bridge.send(Pause())
-    qtbot.waitUntil(lambda: bool(panel._curves), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: bool(curves(panel)), timeout=PATIENCE)
     return panel
 
 
+def curves(panel: PlotsPanel) -> Mapping[LineKey, Any]:
+    return {} if panel.view is None else panel.view.curves
+
+
 def names(panel: PlotsPanel) -> set[str]:
-    return {panel.name(key) for key in panel._curves}
+    return {panel.name(key) for key in curves(panel)}
 
 
 def test_shares_of_behaviors_are_drawn_in_their_colors(window: MainWindow, panel: PlotsPanel) -> None:
     assert "Wander" in names(panel)
-    key = next(key for key in panel._curves if key[-1] == "Wander")
-    pen = panel._curves[key].opts["pen"]
+    key = next(key for key in curves(panel) if key[-1] == "Wander")
+    pen = curves(panel)[key].opts["pen"]
     assert pen.color() == window.studio.colors.color("agent", "wander")
 
 
@@ -52,8 +60,8 @@ def test_a_group_can_be_plotted_by_itself(window: MainWindow, panel: PlotsPanel,
     assert panel.whom.count() == 2
     panel.whom.setFocus()
     qtbot.keyClick(panel.whom, Qt.Key.Key_Down)
-    qtbot.waitUntil(lambda: bool(panel._curves), timeout=PATIENCE)
-    key = next(iter(panel._curves))
+    qtbot.waitUntil(lambda: bool(curves(panel)), timeout=PATIENCE)
+    key = next(iter(curves(panel)))
     values = panel._lines.line(key)[1]
     assert set((5 * values).round(6)) <= {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}
 

@@ -199,7 +199,7 @@ def test_the_pruning_confidence_is_previewed_while_it_is_dragged_and_kept_on_rel
     assert len(panel.scene.nodes) < nodes
     before = tree_of(studio, GOTO, "forward")
     qtbot.waitUntil(lambda: tree_of(studio, GOTO, "forward") != before, timeout=PATIENCE)
-    qtbot.waitUntil(lambda: panel.previewed is None, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: panel.previewing.tree is None, timeout=PATIENCE)
     assert len(panel.scene.nodes) < nodes
 
 

@@ -89,6 +89,28 @@ def test_rules_are_listed_in_order_above_the_tree(panel: TreePanel, studio: Stud
     assert shown[-1] == "5.  otherwise → RotateRight"
 
 
+def test_rules_are_tried_earlier_by_alt_and_an_arrow_key_and_removed_by_delete(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    key = BehaviorKey("authored-agent", "goto")
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_behavior(key, "forward")
+    panel.rules.setCurrentRow(2)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        qtbot.keyClick(panel.rules, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
+    assert rule_targets(studio, key) == ["done", "forward", "done", "rotate-left", "rotate-right"]
+    assert panel.rules.currentRow() == 1
+    qtbot.keyClick(panel.rules, Qt.Key.Key_Delete)
+    assert rule_targets(studio, key) == ["done", "done", "rotate-left", "rotate-right"]
+    assert len(studio.document.history.steps) == 2
+
+
+def rule_targets(studio: Studio, key: BehaviorKey) -> list[str]:
+    automaton = studio.document.automaton(key.type, key.id)
+    assert automaton is not None
+    return [rule.target for rule in automaton.rules_of("forward")]
+
+
 def test_of_a_forest_one_tree_is_chosen(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     automaton = studio.document.automaton(*FORAGE)
     assert automaton is not None

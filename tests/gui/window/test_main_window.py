@@ -75,3 +75,14 @@ def test_a_seed_that_is_none_is_refused_in_words(window: MainWindow, qtbot: QtBo
         qtbot.keyClick(window.toolbar.seed, Qt.Key.Key_Return)
     assert shown.args is not None
     assert "a seed is a whole number" in shown.args[0]
+
+
+def test_a_world_of_rigid_bodies_is_begun_from_the_menu(
+    window: MainWindow, qtbot: QtBot, studio: Studio
+) -> None:
+    qtbot.waitUntil(studio.actions["run.rigid"].isEnabled, timeout=PATIENCE)
+    with qtbot.waitSignal(studio.bridge.place_changed, timeout=PATIENCE):
+        studio.actions["run.rigid"].trigger()
+    assert studio.snapshot is not None
+    assert studio.snapshot.place.physics == "rigid"
+    assert studio.actions["run.rigid"].isChecked()

@@ -1,0 +1,1 @@
+"""Exporting an arm or a behavior into one file that runs without the project."""

@@ -1,0 +1,207 @@
+"""The dialog that exports: what, and where to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.amounts import counted
+from ...core.check import refuse
+from ...core.errors import StorageError, UnderstudyError
+from ...core.naming import slug
+from ...core.project import Project
+from ...engine.scenarios import OWN_CODE, brings_code
+from ...export.bundle import bundle_of_arm, bundle_of_behavior
+from ...export.library_file import FILE_ENDING, Exported, write
+from ...sim.scenario import Scenario
+from ..actions import ActionRow, when_open
+from ..documents.background import Background
+from ..forms.parts import Complaint, caption
+from ..selection import BehaviorKey
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+#: What can be exported: the name of an arm, or a behavior.
+What = str | BehaviorKey
+
+
+def export_bundle(
+    project: Project, scenario: Scenario, folder: Path | None, what: What, path: Path
+) -> Project:
+    """Export *what* into the file at *path*; returns what is in it.
+
+    Raises:
+        UnderstudyError: It cannot run as it is, or the file cannot be written.
+    """
+    if isinstance(what, BehaviorKey):
+        bundle = bundle_of_behavior(project, scenario, what.type, what.id)
+    else:
+        bundle = bundle_of_arm(project, scenario, what)
+    if bundle.arms:
+        refuse(bundle, scenario.vocabulary, bundle.arms[0].name)
+    write(Exported(bundle, _code(project, folder)), path)
+    return bundle
+
+
+def _code(project: Project, folder: Path | None) -> str:
+    """The text of the project's own scenario, if it brings one."""
+    if not brings_code(project):
+        return ""
+    path = (folder or Path()) / OWN_CODE
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise StorageError(f"{path}: cannot be read: {error.strerror or error}") from error
+
+
+class ExportDialog(QDialog):
+    """Asks what is to be exported, and where to.
+
+    Attributes:
+        what: The arms and behaviors to choose from.
+        path: The file.
+    """
+
+    def __init__(self, studio: Studio, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("export")
+        self.setWindowTitle("Export")
+        self._studio = studio
+        self._background = Background(self)
+        self.what = QComboBox()
+        self.what.setAccessibleName("what is exported")
+        for words, what in self._offers():
+            self.what.addItem(words, what)
+        self.path = QLineEdit()
+        self.path.setAccessibleName("file")
+        self.browse = QPushButton("Browse…")
+        self.browse.setToolTip("Choose the file")
+        self.browse.clicked.connect(self._browse)
+        self.trouble = Complaint(studio.theme)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Export")
+        self.buttons.accepted.connect(self.export)
+        self.buttons.rejected.connect(self.reject)
+        self.what.currentIndexChanged.connect(lambda _: self._propose())
+        self.finished.connect(lambda _: self._background.close())
+        self._lay_out()
+        self._propose()
+
+    def _lay_out(self) -> None:
+        line = QHBoxLayout()
+        line.addWidget(self.path, 1)
+        line.addWidget(self.browse)
+        form = QFormLayout()
+        form.addRow("What", self.what)
+        form.addRow("File", line)
+        column = QVBoxLayout(self)
+        column.addWidget(
+            caption(
+                "One JSON file with all that is needed and no more: an arm with its controllers, agents and world, or a "
+                "behavior with what it uses. understudy run FILE.json runs it to the same results, without the project."
+            )
+        )
+        column.addLayout(form)
+        column.addWidget(self.trouble)
+        column.addStretch(1)
+        column.addWidget(self.buttons)
+        self.resize(560, 210)
+
+    def _offers(self) -> list[tuple[str, What]]:
+        """The arm that is shown first, then the behavior that is, then all others."""
+        studio = self._studio
+        project, shown, current = studio.document.project, studio.selection.behavior, studio.arm
+        arms = sorted(project.arms, key=lambda arm: current is None or arm.name != current.name)
+        offers: list[tuple[str, What]] = [(f"Arm: {arm.name}", arm.name) for arm in arms]
+        behaviors = [
+            (f"Behavior: {automaton.name} ({node_type.name})", BehaviorKey(node_type.name, automaton.id))
+            for node_type in project.types
+            for automaton in project.library(node_type.name).automata.values()
+        ]
+        return offers + sorted(behaviors, key=lambda offer: offer[1] != shown)
+
+    def _propose(self) -> None:
+        """Propose a file named after what is exported."""
+        what = self.what.currentData()
+        name = what.id if isinstance(what, BehaviorKey) else slug(str(what or "export"))
+        folder = Path(self.path.text()).parent if self.path.text() else self._folder()
+        self.path.setText(str(folder / f"{name}{FILE_ENDING}"))
+
+    def _folder(self) -> Path:
+        project = self._studio.document.folder
+        return Path.home() if project is None else project.parent
+
+    def _browse(self) -> None:
+        dialog = QFileDialog(self, "Export to", str(Path(self.path.text()).parent), "JSON (*.json)")
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix("json")
+        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+        dialog.selectFile(Path(self.path.text()).name)
+        dialog.fileSelected.connect(self.path.setText)
+        dialog.open()
+
+    # ------------------------------------------------------------------------------------------- exporting
+
+    def export(self) -> None:
+        """Write the file, unless something keeps it from running."""
+        document, what, path = self._studio.document, self.what.currentData(), Path(self.path.text().strip())
+        if what is None:
+            self.trouble.say("there is no arm and no behavior to export yet")
+            return
+        if path.suffix != FILE_ENDING or path.name == "project.json":
+            self.trouble.say(
+                f"the file has to end with {FILE_ENDING} and is not called project.json, but this is {path.name!r}"
+            )
+            return
+        project, scenario, folder = document.project, document.scenario, document.folder
+        self.buttons.setEnabled(False)
+        self._background.do(
+            lambda: export_bundle(project, scenario, folder, what, path),
+            lambda bundle: self._done(bundle, path),
+            self._failed,
+        )
+
+    def _done(self, bundle: Project, path: Path) -> None:
+        count = sum(len(library.automata) for library in bundle.libraries.values())
+        runs = f"; understudy run {path} runs it" if bundle.arms else ""
+        self._studio.say(f"{path}: {counted(count, 'behavior')}{runs}")
+        self.accept()
+
+    def _failed(self, error: UnderstudyError) -> None:
+        self.buttons.setEnabled(True)
+        self.trouble.say(str(error))
+
+
+def export_rows(parent: QWidget) -> tuple[ActionRow, ...]:
+    """The action of the File menu."""
+    return (
+        ActionRow(
+            "file.export",
+            "Export…",
+            "File",
+            lambda studio: ExportDialog(studio, parent).open(),
+            "export",
+            "Ctrl+Alt+E",
+            "Write an arm or a behavior into one file that runs without the project",
+            "export",
+            when_open,
+        ),
+    )

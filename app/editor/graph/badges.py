@@ -1,0 +1,52 @@
+"""Marks states and edges of the graph at which something is wrong, and says what in their tool tips."""
+
+from collections.abc import Mapping
+from html import escape
+
+from ...core.check.problem import Problem
+from ..document import Document
+from .level import Drawn
+from .problems import Spot, problems_of, spots, worst
+from .scene import EdgeKey, GraphScene
+from .scoping import Scoping
+from .state_item import Path
+
+
+class Badges:
+    """Checks the automata that are shown, each again only when it has changed."""
+
+    def __init__(self, document: Document, scoping: Scoping, scene: GraphScene) -> None:
+        self._document, self._scoping, self._scene = document, scoping, scene
+        self._checked: dict[Path, tuple[tuple[object, ...], Mapping[Spot, list[Problem]]]] = {}
+
+    def show(self) -> None:
+        """Mark what is wrong now."""
+        states: dict[Path, str] = {}
+        edges: dict[EdgeKey, str] = {}
+        for path, level in self._scene.levels.items():
+            for spot, found in self._problems(level).items():
+                state, edge = (*path, spot[0]), (path, spot[0], spot[-1])
+                if len(spot) == 1 and state in self._scene.states:
+                    states[state] = worst(found)
+                    self._scene.states[state].setToolTip(_told(found))
+                elif edge in self._scene.edges:
+                    edges[edge] = worst(found)
+                    item = self._scene.edges[edge]
+                    item.setToolTip(f"{item.toolTip()}<br>{escape(_told(found))}")
+        self._scene.show_problems(states, edges)
+
+    def _problems(self, level: Drawn) -> Mapping[Spot, list[Problem]]:
+        scope = self._scoping.scope(level.type)
+        if scope is None:
+            return {}
+        examples = self._document.project.examples_of(level.type, level.automaton.id)
+        made_of = scope, level.automaton, examples
+        kept = self._checked.get(level.path)
+        if kept is None or not all(a is b for a, b in zip(kept[0], made_of, strict=True)):
+            found = problems_of(scope, level.automaton, examples)
+            kept = self._checked[level.path] = made_of, spots(level.automaton, found)
+        return kept[1]
+
+
+def _told(problems: list[Problem]) -> str:
+    return "\n".join(problem.message for problem in problems)

@@ -1,0 +1,37 @@
+"""Plots of pyqtgraph in the looks of the window: quiet axes, a legend, and nothing that pops up.
+
+Importing it takes a tenth of a second or two, so panels do that when they are looked at first.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pyqtgraph as pg
+
+if TYPE_CHECKING:
+    from .theme import Theme
+
+
+def quiet_plot(name: str) -> Any:
+    """A plot over ticks; *name* is for those who cannot see it."""
+    plot = pg.PlotWidget()
+    plot.setMenuEnabled(False)
+    plot.hideButtons()
+    plot.setMouseEnabled(x=True, y=False)
+    plot.setAccessibleName(name)
+    plot.getAxis("bottom").setLabel("tick")
+    plot.getAxis("bottom").enableAutoSIPrefix(False)
+    return plot
+
+
+def dress(plot: Any, theme: Theme) -> None:
+    """Give a plot the colors of the theme."""
+    plot.setBackground(theme.color("panel"))
+    for side in ("left", "bottom"):
+        axis = plot.getAxis(side)
+        axis.setPen(theme.color("hairline"))
+        axis.setTextPen(theme.color("dim"))
+    legend = plot.getPlotItem().legend
+    if legend is not None:
+        legend.setLabelTextColor(theme.color("text"))

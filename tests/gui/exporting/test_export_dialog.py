@@ -1,0 +1,71 @@
+"""Exporting from the window."""
+
+import json
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from app.editor.exporting.dialog import ExportDialog
+from app.editor.window.main_window import MainWindow
+from app.export.library_file import read
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.fixture
+def dialog(window: MainWindow, qtbot: QtBot) -> ExportDialog:
+    window.studio.actions["file.export"].trigger()
+    (dialog,) = window.findChildren(ExportDialog)
+    qtbot.waitExposed(dialog)
+    return dialog
+
+
+def press_ok(dialog: ExportDialog, qtbot: QtBot) -> None:
+    qtbot.mouseClick(dialog.buttons.button(QDialogButtonBox.StandardButton.Ok), Qt.MouseButton.LeftButton)
+
+
+def write_to(dialog: ExportDialog, path: Path, qtbot: QtBot) -> None:
+    dialog.path.selectAll()
+    qtbot.keyClicks(dialog.path, str(path))
+
+
+def test_the_arm_that_is_shown_is_offered_first_and_written(
+    window: MainWindow, dialog: ExportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    assert dialog.what.currentText() == "Arm: independent"
+    assert dialog.path.text().endswith("independent.json")
+    write_to(dialog, tmp_path / "out.json", qtbot)
+    with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE) as shown:
+        press_ok(dialog, qtbot)
+    assert shown.args is not None
+    assert "understudy run" in shown.args[0]
+    assert read(tmp_path / "out.json").project.arms[0].name == "independent"
+
+
+def test_a_behavior_is_chosen_by_keys(
+    window: MainWindow, dialog: ExportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    dialog.what.setFocus()
+    while not dialog.what.currentText().startswith("Behavior: Wander (agent)"):
+        before = dialog.what.currentIndex()
+        qtbot.keyClick(dialog.what, Qt.Key.Key_Down)
+        assert dialog.what.currentIndex() != before
+    assert dialog.path.text().endswith("wander.json")
+    write_to(dialog, tmp_path / "w.json", qtbot)
+    press_ok(dialog, qtbot)
+    qtbot.waitUntil((tmp_path / "w.json").exists, timeout=PATIENCE)
+    assert json.loads((tmp_path / "w.json").read_text())["arms"][0]["top"] == "Wander"
+
+
+@pytest.mark.parametrize(
+    ("name", "message"), [("out.txt", "end with .json"), ("nowhere/out.json", "there is no folder")]
+)
+def test_what_is_wrong_is_said_in_the_dialog(
+    dialog: ExportDialog, qtbot: QtBot, tmp_path: Path, name: str, message: str
+) -> None:
+    write_to(dialog, tmp_path / name, qtbot)
+    press_ok(dialog, qtbot)
+    qtbot.waitUntil(lambda: message in dialog.trouble.text(), timeout=PATIENCE)
+    dialog.reject()
