@@ -98,12 +98,15 @@ missing_libraries() { # Sets $missing to the Debian packages that kind $1 lacks 
     done
 }
 
-# The machine's name is part of the stamp because a clone may be shared by several machines or containers.
+# The machine's name is part of the stamp because a clone may be shared by several machines or containers, and what is
+# wanted because a newer version may want more.
 system_ready() {
-    same "$cache/system.$1" "$HOSTNAME" && return 0
+    local stamp="$HOSTNAME ${run_libraries[*]}"
+    [ "$1" = run ] || stamp+=" ${dev_libraries[*]}"
+    same "$cache/system.$1" "$stamp" && return 0
     missing_libraries "$1"
     [ ${#missing[@]} -eq 0 ] || return 1
-    { mkdir -p "$cache" && echo "$HOSTNAME" >"$cache/system.$1"; } 2>/dev/null || true
+    { mkdir -p "$cache" && echo "$stamp" >"$cache/system.$1"; } 2>/dev/null || true
 }
 
 # --- system packages ----------------------------------------------------------------------------------------------
