@@ -20,28 +20,38 @@ class _Able:
         self._panel = panel
 
     def shows(self, _studio: Studio) -> bool:
-        return self._panel.root is not None
+        return self._panel.root is not None and self._panel.isVisible()
 
     def has_state(self, _studio: Studio) -> bool:
-        return self._panel.scene.current is not None
+        return self._panel.scene.current is not None and self._panel.isVisible()
 
     def has_edge(self, _studio: Studio) -> bool:
-        return self._panel.scene.edge is not None
+        return self._panel.scene.edge is not None and self._panel.isVisible()
 
     def has_any(self, studio: Studio) -> bool:
         return self.has_state(studio) or self.has_edge(studio)
 
-    def has_prunes(self, _studio: Studio) -> bool:
+    def has_prunes(self, studio: Studio) -> bool:
         edge = self._panel.scene.edge
-        return edge is not None and bool(self._panel.editing.prunes_of(edge))
+        return self.has_edge(studio) and edge is not None and bool(self._panel.editing.prunes_of(edge))
 
-    def has_learned(self, _studio: Studio) -> bool:
+    def has_learned(self, studio: Studio) -> bool:
         level, path = self._panel.level_for_new(), self._panel.scene.current
-        return level is not None and path is not None and path[-1] in level.automaton.learned
+        return (
+            self.has_state(studio)
+            and level is not None
+            and path is not None
+            and path[-1] in level.automaton.learned
+        )
 
-    def has_rules(self, _studio: Studio) -> bool:
+    def has_rules(self, studio: Studio) -> bool:
         level, path = self._panel.level_for_new(), self._panel.scene.current
-        return level is not None and path is not None and bool(level.automaton.rules_of(path[-1]))
+        return (
+            self.has_state(studio)
+            and level is not None
+            and path is not None
+            and bool(level.automaton.rules_of(path[-1]))
+        )
 
 
 def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:

@@ -28,12 +28,25 @@ class Badges:
                 state, edge = (*path, spot[0]), (path, spot[0], spot[-1])
                 if len(spot) == 1 and state in self._scene.states:
                     states[state] = worst(found)
-                    self._scene.states[state].setToolTip(_told(found))
+                    self._scene.states[state].say_problem(_told(found))
                 elif edge in self._scene.edges:
                     edges[edge] = worst(found)
                     item = self._scene.edges[edge]
                     item.setToolTip(f"{item.toolTip()}<br>{escape(_told(found))}")
         self._scene.show_problems(states, edges)
+
+    def fixes(self) -> list[Problem]:
+        """The problems of what is selected that one click can mend."""
+        edge, path = self._scene.edge, self._scene.current
+        where: tuple[Path, Spot] | None = None
+        if edge is not None:
+            where = edge[0], edge[1:]
+        elif path is not None:
+            where = path[:-1], (path[-1],)
+        if where is None or where[0] not in self._scene.levels:
+            return []
+        found = self._problems(self._scene.levels[where[0]]).get(where[1], [])
+        return [problem for problem in found if problem.mend is not None]
 
     def _problems(self, level: Drawn) -> Mapping[Spot, list[Problem]]:
         scope = self._scoping.scope(level.type)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.automaton import START, Basic, Content, Nested, RaiseFlag
+from ...core.check.problem import Problem
 from ...core.edits import (
     add_prune,
     add_rule,
@@ -187,6 +188,13 @@ class GraphEditing:
     def unauthor(self, path: Path) -> None:
         """Let what a state learned decide alone again."""
         self._studio.document.attempt(remove_rules_of, *self._where(path), path[-1])
+
+    def mend(self, problem: Problem) -> None:
+        """Do what mends a problem."""
+        mend = problem.mend
+        if mend is not None:
+            text = problem.fix or "Mend a problem"
+            self._push(text[:1].upper() + text[1:], lambda project: (mend(project), None))
 
     # ---------------------------------------------------------------------------------------------- copying
 

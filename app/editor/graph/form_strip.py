@@ -9,7 +9,7 @@ from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
 from ...export.graph import Edge, WayKind, way_words
-from .rule_form import Place, RuleForm
+from .rule_form import Place, RuleBlock, RuleForm
 from .scoping import Scoping
 from .state_form import StateForm
 
@@ -74,8 +74,13 @@ class FormStrip(QFrame):
 
     def focus_first(self) -> None:
         """Put the keyboard into the form."""
-        form: QWidget = self.rules if self._stack.currentIndex() == 0 else self.state
+        is_rule = self._stack.currentIndex() == 0
+        form: QWidget = (
+            self.state if not is_rule else self.rules.blocks[-1] if self.rules.blocks else self.rules
+        )
         fields = [child for child in form.findChildren(QWidget) if _takes_keys(child)]
+        if isinstance(form, RuleBlock) and not form.rows:
+            fields = [form.add]
         if fields:
             fields[0].setFocus(Qt.FocusReason.OtherFocusReason)
 

@@ -45,8 +45,20 @@ def context_menu(panel: GraphPanel, at: Position) -> QMenu:
             menu.addAction(actions[row])
         else:
             menu.addSeparator()
+    _add_fixes(panel, menu)
     actions.refresh()
     return menu
+
+
+def _add_fixes(panel: GraphPanel, menu: QMenu) -> None:
+    """What mends the problems of what is selected."""
+    fixes = panel.badges.fixes()
+    if fixes:
+        menu.addSeparator()
+    for problem in fixes:
+        action = menu.addAction(f"Fix: {problem.fix}")
+        action.setToolTip(problem.message)
+        action.triggered.connect(lambda _checked, problem=problem: panel.editing.mend(problem))
 
 
 def add_menu(panel: GraphPanel, at: Position | None = None) -> QMenu:

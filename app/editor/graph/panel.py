@@ -72,7 +72,7 @@ class GraphPanel(QWidget):
         self.view = GraphView(self.scene, studio.theme)
         self.editing = GraphEditing(studio, self.scene)
         self.form = FormStrip(studio, self.scoping)
-        self._badges = Badges(studio.document, self.scoping, self.scene)
+        self.badges = Badges(studio.document, self.scoping, self.scene)
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
@@ -166,7 +166,7 @@ class GraphPanel(QWidget):
         self._hint.setText(EMPTY if drawn is not None and len(drawn.graph.states) < 2 else HINT)
         self._show_trail()
         self._state_changed()
-        self._badges.show()
+        self.badges.show()
         self._show_form()
         self._follow()
         self.view.changed()
@@ -193,6 +193,7 @@ class GraphPanel(QWidget):
         self._soon.stop()
         self._live.stop()
         self.laying_out.close()
+        self.studio.touch()
 
     def _opened(self) -> None:
         self._drafts.forget()
@@ -319,6 +320,7 @@ class GraphPanel(QWidget):
             return
         self.refresh()
         self.scene.mark([path])
+        self.view.show_selected()
         scope = self.scoping.scope(self.scene.levels[path[:-1]].type)
         if scope is not None and offers.slots_of(self.scene.states[path].state.content, scope):
             self.edit()
@@ -338,6 +340,7 @@ class GraphPanel(QWidget):
             self._hint.hide()
             self._show_form()
             self.form.focus_first()
+            QTimer.singleShot(0, self.view.show_selected)  # once the form has taken its room
 
     def close_form(self) -> None:
         """No form."""

@@ -19,15 +19,19 @@ def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
     """Looking at the graph, and where states stand."""
 
     def shows(_studio: Studio) -> bool:
-        return panel.root is not None
+        return panel.root is not None and panel.isVisible()
 
     def has_nested(_studio: Studio) -> bool:
         current = panel.scene.current
-        return current is not None and bool(panel.scene.states[current].state.nested)
+        return panel.isVisible() and current is not None and bool(panel.scene.states[current].state.nested)
 
     def has_layout(studio: Studio) -> bool:
         key = panel.root
-        return key is not None and bool(studio.document.project.layout_of(key.type, key.id))
+        return (
+            panel.isVisible()
+            and key is not None
+            and bool(studio.document.project.layout_of(key.type, key.id))
+        )
 
     def arrange(studio: Studio) -> None:
         if panel.root is not None:

@@ -4,9 +4,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QPointF, QRectF, Signal
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsScene
 
+from ...core.automaton import Basic
 from ...engine.snapshots import Snapshot, StateRef
+from ...export.graph import GraphState
 from ..behavior_colors import BehaviorColors
 from ..theme import Theme
 from .arrangement import Point
@@ -69,7 +72,7 @@ class GraphScene(QGraphicsScene):
             self.edges[drawn.path, edge.source, edge.target] = item
         for state in drawn.graph.states:
             path = (*drawn.path, state.id)
-            color = self._colors.color(drawn.type, state.nested)
+            color = self._color(drawn.type, state)
             inner = drawn.inner.get(state.id)
             item_of = StateItem(
                 path, state, drawn.sizes[state.id], color, self._theme, is_open=inner is not None
@@ -78,6 +81,12 @@ class GraphScene(QGraphicsScene):
             self.states[path] = item_of
             if inner is not None:
                 self._add_level(inner, item_of)
+
+    def _color(self, type_name: str, state: GraphState) -> QColor:
+        """A state's color: its behavior's; what a controller directs has the color of the automata of that name."""
+        if isinstance(state.content, Basic):
+            return self._colors.of_name(state.content.behavior)
+        return self._colors.color(type_name, state.nested)
 
     def _put(self, item: QGraphicsItem, parent: QGraphicsItem | None, at: QPointF) -> None:
         if parent is None:

@@ -69,10 +69,12 @@ class StateItem(QGraphicsItem):
         super().__init__()
         self.path, self.state, self.size, self.is_open = path, state, size, is_open
         self.look = StateLook()
+        self._problem = ""
         self._color = color
         self._theme = theme
         self.setZValue(2.0)
         self.setAcceptHoverEvents(True)
+        self._tell()
 
     @property
     def box(self) -> QRectF:
@@ -85,6 +87,17 @@ class StateItem(QGraphicsItem):
         if look != self.look:
             self.look = look
             self.update()
+            self._tell()
+
+    def say_problem(self, words: str) -> None:
+        """Say in its tool tip what is wrong."""
+        self._problem = words
+        self._tell()
+
+    def _tell(self) -> None:
+        look = self.look
+        there = f"{look.count} here, {look.share:.0%} of those that run it" if look.share >= 0.0 else ""
+        self.setToolTip("\n".join(filter(None, (self.state.name, self.state.note, there, self._problem))))
 
     def boundingRect(self) -> QRectF:
         """With its glow and badges."""

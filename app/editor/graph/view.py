@@ -95,7 +95,8 @@ class GraphView(DiagramView):
 
     def stretch(self, source: Path, to: Point) -> None:
         """Show a transition on its way to the pointer."""
-        self._link = self._graph.states[source].scenePos(), QPointF(*to)
+        item = self._graph.states[source]
+        self._link = item.mapToScene(item.handle_at()), QPointF(*to)
         self._aim(self._target(source, to))
         self.viewport().update()
 
@@ -124,6 +125,16 @@ class GraphView(DiagramView):
         for item in self._graph.states.values():
             if item.look.target is not (item is target):
                 item.dress(replace(item.look, target=item is target))
+
+    def show_selected(self) -> None:
+        """Pan until what is selected is seen."""
+        edge, current = self._graph.edge, self._graph.current
+        if edge is not None and edge in self._graph.edges:
+            line = self._graph.edges[edge]
+            self.show_item(line.mapRectToScene(line.boundingRect()))
+        elif current is not None:
+            item = self._graph.states[current]
+            self.show_item(item.mapRectToScene(item.box))
 
     def forget(self) -> None:
         """The scene is about to be another one."""

@@ -329,6 +329,7 @@ class TreePanel(QWidget):
         self._soon.stop()
         self._live.stop()
         self.previewing.close()
+        self.studio.touch()
 
     # ------------------------------------------------------------------------------------------------ pruning
 

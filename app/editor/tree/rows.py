@@ -26,11 +26,11 @@ TOOLS = (
 def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
     """Looking at the tree."""
 
-    def has_tree(_studio: Studio) -> bool:
-        return panel.subject is not None and panel.subject.tree is not None
+    def has_tree(studio: Studio) -> bool:
+        return shows(studio) and panel.subject is not None and panel.subject.tree is not None
 
     def shows(_studio: Studio) -> bool:
-        return panel.subject is not None
+        return panel.subject is not None and panel.isVisible()
 
     def has_node(studio: Studio) -> bool:
         return has_tree(studio) and bool(panel.scene.chosen)

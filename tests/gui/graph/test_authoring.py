@@ -13,7 +13,7 @@ from app.editor.studio import Studio
 from tests.gui.graph.author import CTRL, Author
 
 AUTHORED = BehaviorKey("authored-agent", "forage")
-CORNER = QPoint(60, 60)
+CORNER = QPoint(140, 90)
 
 
 @pytest.fixture
@@ -242,3 +242,15 @@ def test_problems_show_at_their_place_as_they_arise(
     assert "never entered" in item.toolTip()
     author.link("Forward", "RotateLeft")
     assert "never entered" not in panel.scene.states["rotate-left",].toolTip()
+
+
+def test_what_mends_a_problem_is_offered_at_its_place(author: Author, studio: Studio) -> None:
+    author.show(AUTHORED)
+    author.link("Start", "ReturnWithBox")
+    assert author.panel.scene.edges[(), START, "return-with-box"].problem == "warning"
+    author.panel.view.menu_wanted.emit(author.panel.view.mapToGlobal(CORNER))
+    menu = author.panel.menu
+    assert menu is not None
+    author.pick(menu, "Fix: remove the rule")
+    assert [rule.target for rule in automaton(author).rules_of(START)] == ["wander"]
+    assert studio.document.history.undo_text == "Remove the rule"
