@@ -71,6 +71,7 @@ class Bridge(QObject):
         self._document = document
         self._make = make
         self._engine: EngineThread | None = None
+        self._left: list[EngineThread] = []  # those that may still be at their last tick
         self.snapshot: Snapshot | None = None
         self._applied = 0
         self._taking = False
@@ -95,12 +96,20 @@ class Bridge(QObject):
         self._timer.start()
 
     def close(self) -> None:
-        """End the session and its threads."""
+        """End the session; its thread ends by itself after the tick that it is at, which nobody has to wait for."""
         self._timer.stop()
         if self._engine is not None:
             engine, self._engine = self._engine, None
-            engine.close()
+            engine.leave()
+            self._left = [*(left for left in self._left if not left.has_ended), engine]
         self.snapshot = None
+
+    def shut_down(self) -> None:
+        """End the session and wait for all threads, also of sessions before it."""
+        self.close()
+        for engine in self._left:
+            engine.close()
+        self._left.clear()
 
     @property
     def is_open(self) -> bool:

@@ -161,7 +161,7 @@ class Studio(QObject):
     def shut_down(self) -> None:
         """End all that runs in the background."""
         self.closing.emit()
-        self.bridge.close()
+        self.bridge.shut_down()
         self.relearning.close()
         self.settings.sync()
 

@@ -113,6 +113,11 @@ class EngineThread:
         self.leave()
         self._thread.join()
 
+    @property
+    def has_ended(self) -> bool:
+        """Whether the thread and all that ran beside it are gone."""
+        return not self._thread.is_alive()
+
     def _is(self, ready: Callable[[Snapshot], bool]) -> bool:
         return self._newest is not None and ready(self._newest)
 

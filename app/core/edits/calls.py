@@ -65,12 +65,13 @@ def meanings(project: Project, type_name: str, name: str) -> dict[str, Meaning]:
 
 def starting(project: Project, type_name: str, name: str) -> Iterator[tuple[Arm, Meaning]]:
     """The arms whose top is the automaton of *type_name* called *name*."""
-    derived = meanings(project, type_name, name)
+    arms = [arm for arm in project.arms if arm.top == name]  # few are, and the roots of an arm can be many
+    derived = meanings(project, type_name, name) if arms else {}
     known = {type_name: Meaning.SOLE}
     known |= {t: m for t, m in derived.items() if project.library(t).by_name(name) is None}
-    for arm in project.arms:
+    for arm in arms:
         roots = {known.get(root) for root in root_types(arm)}
-        if arm.top == name and roots - {None}:
+        if roots - {None}:
             yield arm, Meaning.SOLE if roots == {Meaning.SOLE} else Meaning.SHARED
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
 from ...core.automaton import Automaton
 from ...core.check.scope import Scope, scopes
+from ...core.edits import rename_automaton
 from ...core.errors import UnderstudyError
 from ...core.library import Types
 from ...core.project import Project
@@ -121,13 +123,11 @@ class LiveEditing(Editing):
 class DraftEditing(Editing):
     """Collects edits of an automaton that does not exist yet, see `keep`."""
 
-    def __init__(
-        self, studio: Studio, begin: Callable[[Project], tuple[Project, str]], type_name: str
-    ) -> None:
+    def __init__(self, studio: Studio, begin: Callable[..., tuple[Project, str]], type_name: str) -> None:
         """A draft.
 
         Args:
-            begin: The edit that makes the automaton; also returns its id.
+            begin: The edit that makes the automaton, which takes a *name*; also returns its id.
         """
         self._begin = begin
         self._base = studio.document.project
@@ -141,6 +141,10 @@ class DraftEditing(Editing):
         return self._project
 
     def _apply(self, edit: Change, args: tuple[Any, ...], kwargs: dict[str, Any], _gesture: str) -> None:
+        if edit is rename_automaton:
+            self._rename(*args[2:])
+            return
+
         def step(project: Project) -> Project:  # under the id that it has in that project
             result = edit(project, self.type, self.id, *args[2:], **kwargs)
             return result[0] if isinstance(result, tuple) else result
@@ -149,15 +153,24 @@ class DraftEditing(Editing):
         self._steps.append(step)
         self.changed.emit()
 
+    def _rename(self, name: str) -> None:
+        """Begin under another name: the id, which names the file, is made from the one that is kept."""
+        begin = partial(self._begin, name=name)
+        begin(self._base)  # raises if it cannot be called so
+        self._begin = begin
+        self._project = self._made(self._base)
+        self.changed.emit()
+
+    def _made(self, project: Project) -> Project:
+        project, self.id = self._begin(project)
+        for step in self._steps:
+            project = step(project)
+        return project
+
     def kept(self, project: Project) -> Project:
         """*project* with the draft.
 
         Raises:
             UnderstudyError: *project* has changed so much meanwhile that the draft does not go into it.
         """
-        if project is self._base:
-            return self._project
-        project, self.id = self._begin(project)
-        for step in self._steps:
-            project = step(project)
-        return project
+        return self._project if project is self._base else self._made(project)

@@ -1,5 +1,8 @@
 """Which nodes can be taught a behavior, where, and which of its states they are in."""
 
+from collections.abc import Mapping
+from functools import lru_cache
+
 from ...core.hierarchy import Hierarchy, Node
 from ...core.project import Project
 from ...core.wording import node_words
@@ -10,7 +13,34 @@ from ..selection import BehaviorKey
 
 def nodes_of(forest: Hierarchy, type_name: str) -> tuple[str, ...]:
     """The nodes of a type, parents first."""
-    return tuple(node.id for node in forest.walk() if node.type == type_name)
+    return tuple(_by_type(_Same(forest)).get(type_name, {}))
+
+
+def is_of(forest: Hierarchy, type_name: str, node_id: str) -> bool:
+    """Whether a node is there and of a type."""
+    return node_id in _by_type(_Same(forest)).get(type_name, {})
+
+
+class _Same:
+    """A forest that is equal to itself only: comparing thousands of nodes would cost more than walking them."""
+
+    def __init__(self, forest: Hierarchy) -> None:
+        self.forest = forest
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.forest is self.forest
+
+    def __hash__(self) -> int:
+        return id(self.forest)
+
+
+@lru_cache(maxsize=8)  # of the last forests only: selecting and picking ask for the same one again and again
+def _by_type(same: _Same) -> Mapping[str, Mapping[str, Node]]:
+    """By type, the nodes of a forest by id, parents first."""
+    found: dict[str, dict[str, Node]] = {}
+    for node in same.forest.walk():
+        found.setdefault(node.type, {})[node.id] = node
+    return found
 
 
 def arms_with(project: Project, type_name: str) -> tuple[str, ...]:
@@ -34,8 +64,8 @@ def state_of(snapshot: Snapshot, node: str, key: BehaviorKey) -> str:
 
 def called(place: Place, node_id: str) -> str:
     """What the user calls a node."""
-    node = next((node for node in place.hierarchy.walk() if node.id == node_id), Node(node_id, ""))
-    return node_words(node)
+    found = (nodes[node_id] for nodes in _by_type(_Same(place.hierarchy)).values() if node_id in nodes)
+    return node_words(next(found, Node(node_id, "")))
 
 
 def entity_called(place: Place, entity: int) -> str:

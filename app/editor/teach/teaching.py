@@ -16,7 +16,7 @@ from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot,
 from ..selection import BehaviorKey
 from .asking import Asking
 from .choosing import Choosing
-from .pupils import arms_with, nodes_of, state_of
+from .pupils import arms_with, is_of, nodes_of, state_of
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -291,9 +291,11 @@ class Teaching(QObject):
     def _nodes_for(self, key: BehaviorKey) -> tuple[str, ...]:
         """The selected nodes of the behavior's type, or else the first there is."""
         snapshot = self._studio.snapshot
-        of_type = () if snapshot is None else nodes_of(snapshot.place.hierarchy, key.type)
-        chosen = tuple(node for node in self._studio.selection.nodes if node in of_type)
-        return chosen or of_type[:1]
+        if snapshot is None:
+            return ()
+        forest = snapshot.place.hierarchy
+        chosen = tuple(node for node in self._studio.selection.nodes if is_of(forest, key.type, node))
+        return chosen or nodes_of(forest, key.type)[:1]
 
     def _refuse_without_nodes(self, key: BehaviorKey) -> None:
         arms = arms_with(self._studio.document.project, key.type)
@@ -310,7 +312,7 @@ class Teaching(QObject):
 
     def _may_pick(self, node: str, lesson: LessonView) -> bool:
         snapshot = self._studio.snapshot
-        return snapshot is not None and node in nodes_of(snapshot.place.hierarchy, lesson.plan.type)
+        return snapshot is not None and is_of(snapshot.place.hierarchy, lesson.plan.type, node)
 
     def _free_name(self) -> str:
         automaton, key, project = self.automaton, self.key, self._studio.document.project

@@ -1,0 +1,66 @@
+"""Keys that move through what has the focus are no shortcuts meanwhile."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.editor.agents.panel import AgentsPanel
+from app.editor.window.main_window import MainWindow
+from app.engine.commands import Step
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.fixture
+def later(window: MainWindow, qtbot: QtBot) -> MainWindow:
+    """The window at a tick from which the beginning can be gone back to."""
+    window.studio.bridge.send(Step(5))
+    qtbot.waitUntil(lambda: tick(window) == 5, timeout=PATIENCE)
+    qtbot.waitUntil(window.studio.actions["run.begin"].isEnabled, timeout=PATIENCE)
+    return window
+
+
+def tick(window: MainWindow) -> int:
+    assert window.studio.snapshot is not None
+    return window.studio.snapshot.tick
+
+
+def answered(window: MainWindow, qtbot: QtBot) -> int:
+    """The tick once all that was asked of the session is done."""
+    ticket = window.studio.bridge.send(Step(1))
+    qtbot.waitUntil(
+        lambda: window.studio.snapshot is not None and window.studio.snapshot.acknowledged >= ticket,
+        timeout=PATIENCE,
+    )
+    qtbot.waitUntil(lambda: tick(window) > 0, timeout=PATIENCE)
+    return tick(window)
+
+
+def agents(window: MainWindow) -> QWidget:
+    panel = window.docks["agents"].widget()
+    assert isinstance(panel, AgentsPanel)
+    return panel.tree
+
+
+@pytest.mark.parametrize("place", ["arm", "seed", "speed", "agents"])
+def test_home_stays_in_lists_boxes_sliders_and_fields(later: MainWindow, qtbot: QtBot, place: str) -> None:
+    toolbar = later.toolbar
+    places = {"arm": toolbar.arm, "seed": toolbar.seed, "speed": toolbar.slider, "agents": agents(later)}
+    places[place].setFocus()
+    qtbot.keyClick(places[place], Qt.Key.Key_Home)
+    assert answered(later, qtbot) == 6
+
+
+def test_home_goes_to_the_beginning_from_the_world(later: MainWindow, qtbot: QtBot) -> None:
+    later.canvas.setFocus()
+    qtbot.keyClick(later.canvas, Qt.Key.Key_Home)
+    qtbot.waitUntil(lambda: tick(later) == 0, timeout=PATIENCE)
+
+
+def test_the_space_bar_switches_a_check_box_that_has_the_focus(later: MainWindow, qtbot: QtBot) -> None:
+    box = QCheckBox("a switch", later)
+    box.show()
+    box.setFocus()
+    qtbot.keyClick(box, Qt.Key.Key_Space)
+    assert box.isChecked()
+    assert answered(later, qtbot) == 6
