@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFileDialog, QPushButton
+from PySide6.QtWidgets import QFileDialog
 
 from ...core.errors import StorageError, UnderstudyError
 from ...engine.experiments.data import curves_csv, runs_csv
@@ -16,6 +16,7 @@ from ...engine.experiments.report import Files, markdown
 from ...engine.experiments.store import Results
 from ..drawing.curve_painting import painted
 from ..drawing.experiment_chart import chart_of
+from .buttons import text_button
 
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings
@@ -29,7 +30,7 @@ class Exporting:
     def __init__(self, window: ExperimentsWindow) -> None:
         self._window = window
         self.buttons = tuple(
-            self._button(text, tip, act)
+            text_button(text, tip, act)
             for text, tip, act in (
                 ("Figure…", "Write the figure as SVG, PNG or PDF", self.choose_figure),
                 ("Data…", "Write all runs as CSV, and the curves beside them", self.choose_data),
@@ -37,15 +38,8 @@ class Exporting:
             )
         )
 
-    def _button(self, text: str, tip: str, act: Callable[[], None]) -> QPushButton:
-        button = QPushButton(text)
-        button.setToolTip(tip)
-        button.clicked.connect(act)
-        return button
-
-    def refresh(self) -> None:
+    def refresh(self, found: Findings | None) -> None:
         """There is something to write as soon as a run has ended."""
-        found = getattr(self._window, "found", None)
         ready = found is not None and any(summary.runs for summary in found.summaries)
         for button in self.buttons:
             button.setEnabled(ready)
@@ -111,8 +105,8 @@ class Exporting:
         self._write({path: text.encode()})
 
     def _found(self) -> Findings:
-        assert self._window.found is not None
-        return self._window.found
+        assert self._window.pages.found is not None
+        return self._window.pages.found
 
     def _study(self) -> Study:
         assert self._window.study is not None
@@ -127,7 +121,7 @@ class Exporting:
 
     def _failed(self, error: UnderstudyError) -> None:
         self._window.studio.warn(str(error))
-        self._window.told.setText(str(error))
+        self._window.controls.tell(str(error))
 
 
 def _written(contents: dict[Path, bytes]) -> str:

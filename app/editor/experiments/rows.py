@@ -53,7 +53,7 @@ class Experiments:
                 "experiment.new",
                 "New experiment…",
                 "Experiment",
-                lambda _: self.show().build(),
+                lambda _: self.show().listing.build(),
                 tip="Build an experiment: arms, what is varied, how often, what is claimed",
                 icon="flask-plus-outline",
                 enabled=lambda studio: studio.is_open and studio.document.folder is not None,

@@ -46,7 +46,7 @@ def shown(
 
 
 def told(window: ExperimentsWindow, words: str) -> bool:
-    return words in window.told.text()
+    return words in window.controls.told.text()
 
 
 def finished(window: ExperimentsWindow) -> bool:
@@ -56,14 +56,14 @@ def finished(window: ExperimentsWindow) -> bool:
 
 def small(window: ExperimentsWindow, name: str = "figure3", runs: int = 2) -> None:
     """Ask for so little that it takes no time."""
-    window.choose(name)
-    window.ticks.setValue(200)
-    window.runs.setValue(runs)
+    window.listing.choose(name)
+    window.controls.ticks.setValue(200)
+    window.controls.runs.setValue(runs)
 
 
 def test_the_experiments_of_the_project_are_listed(shown: tuple[MainWindow, ExperimentsWindow]) -> None:
     _, window = shown
-    names = [window.list.item(row).text() for row in range(window.list.count())]
+    names = [window.listing.list.item(row).text() for row in range(window.listing.list.count())]
     assert names == ["figure3", "figure4", "open", "original", "paper", "samples"]
     assert window.title.text().startswith("Figure 3")
 
@@ -73,12 +73,12 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
 ) -> None:
     _, window = shown
     small(window)
-    qtbot.mouseClick(window.run, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.controls.run, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 8, timeout=PATIENCE)
-    assert len(window.curves.names) == 4
-    assert window.arms.rowCount() == 4
-    assert window.claims.rowCount() > 0
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 8, timeout=PATIENCE)
+    assert len(window.pages.curves.names) == 4
+    assert window.pages.arms.rowCount() == 4
+    assert window.pages.claims.rowCount() > 0
     assert told(window, "Finished: 8 runs")
 
 
@@ -88,12 +88,12 @@ def test_a_run_is_opened_in_the_world_at_a_tick_with_the_numbers_it_had(
     main, window = shown
     small(window, runs=1)
     window.begin()
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
-    window.tabs.setCurrentWidget(window.runs_page)
-    window.runs_page.table.selectRow(1)
-    row = window.runs_page.chosen
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    window.pages.setCurrentWidget(window.pages.runs)
+    window.pages.runs.table.selectRow(1)
+    row = window.pages.runs.chosen
     assert row is not None
-    qtbot.mouseClick(window.runs_page.open_button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.pages.runs.open_button, Qt.MouseButton.LeftButton)
 
     def there() -> bool:
         snapshot = main.studio.snapshot
@@ -109,26 +109,26 @@ def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finishe
     shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
 ) -> None:
     _, window = shown
-    window.choose("figure3")
-    window.ticks.setValue(2000)
-    window.runs.setValue(500)
+    window.listing.choose("figure3")
+    window.controls.ticks.setValue(2000)
+    window.controls.runs.setValue(500)
     qtbot.keyClick(window, Qt.Key.Key_F5)
-    qtbot.waitUntil(lambda: bool(window.curves.names), timeout=3 * PATIENCE)
-    qtbot.mouseClick(window.pause, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: bool(window.pages.curves.names), timeout=3 * PATIENCE)
+    qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: told(window, "Paused at"), timeout=PATIENCE)
-    assert window.pause.text() == "Resume"
-    qtbot.mouseClick(window.pause, Qt.MouseButton.LeftButton)
-    qtbot.mouseClick(window.cancel, Qt.MouseButton.LeftButton)
+    assert window.controls.pause.text() == "Resume"
+    qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.controls.cancel, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.running.is_on, timeout=3 * PATIENCE)
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() > 0, timeout=PATIENCE)
-    assert window.run.isEnabled()
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=PATIENCE)
+    assert window.controls.run.isEnabled()
 
 
 def test_an_experiment_is_built_by_hand_and_runs(
     shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, folder: Path
 ) -> None:
     _, window = shown
-    qtbot.mouseClick(window.new, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.listing.new, Qt.MouseButton.LeftButton)
     (builder,) = window.findChildren(ExperimentBuilder)
     qtbot.keyClicks(builder.title, "Few boxes")
     builder.ticks.selectAll()
@@ -144,14 +144,14 @@ def test_an_experiment_is_built_by_hand_and_runs(
     assert (folder / "experiments" / "few-boxes.json").is_file()
     assert window.title.text() == "Few boxes"
     window.begin()
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
 
 
 def test_what_cannot_be_is_said_in_the_dialog(
     shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
 ) -> None:
     _, window = shown
-    window.build()
+    window.listing.build()
     (builder,) = window.findChildren(ExperimentBuilder)
     builder.name.setText("figure3")
     qtbot.mouseClick(builder.buttons.button(QDialogButtonBox.StandardButton.Ok), Qt.MouseButton.LeftButton)
@@ -165,13 +165,13 @@ def test_figure_data_and_report_are_written(
     _, window = shown
     small(window, runs=1)
     window.begin()
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
     for ending in ("svg", "png"):
-        window.exporting.write_figure(tmp_path / f"x.{ending}")
+        window.pages.exporting.write_figure(tmp_path / f"x.{ending}")
         qtbot.waitUntil((tmp_path / f"x.{ending}").exists, timeout=PATIENCE)
-    window.exporting.write_data(tmp_path / "x.csv")
+    window.pages.exporting.write_data(tmp_path / "x.csv")
     qtbot.waitUntil((tmp_path / "x-curves.csv").exists, timeout=PATIENCE)
-    window.exporting.write_report(tmp_path / "x.md")
+    window.pages.exporting.write_report(tmp_path / "x.md")
     qtbot.waitUntil((tmp_path / "x.md").exists, timeout=PATIENCE)
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     assert len((tmp_path / "x.csv").read_text().splitlines()) == 5
@@ -183,15 +183,15 @@ def test_results_of_several_experiments_stand_side_by_side(
     _, window = shown
     small(window, runs=1)
     window.begin()
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
-    item = window.compare.list.item(0)
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    item = window.pages.compare.list.item(0)
     item.setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: told_beside(window), timeout=PATIENCE)
 
 
 def told_beside(window: ExperimentsWindow) -> bool:
     """Either the arms, or that this length has not been run: both are an answer."""
-    return window.compare.model.rowCount() > 0 or "not been run" in window.compare.told.text()
+    return window.pages.compare.model.rowCount() > 0 or "not been run" in window.pages.compare.told.text()
 
 
 def test_results_of_the_project_as_it_was_can_be_put_aside(
@@ -200,7 +200,7 @@ def test_results_of_the_project_as_it_was_can_be_put_aside(
     main, window = shown
     small(window, runs=1)
     window.begin()
-    qtbot.waitUntil(lambda: window.runs_page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
     from app.core.edits import set_world
     from app.editor.documents.asking import Question
 

@@ -7,7 +7,7 @@ import pytest
 
 from app.core.errors import ParameterError
 from app.core.storage import load
-from app.editor.experiments.builder import Draft, drafted, shown_claim, shown_factor
+from app.editor.experiments.draft import Draft, drafted, shown_claim, shown_factor
 from app.engine.experiments.load import experiments_in, load_experiment
 from app.engine.experiments.plan import Design, Experiment, Kind, Treated
 from app.sim.scenarios.foraging import scenario

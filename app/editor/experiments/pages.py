@@ -1,0 +1,84 @@
+"""What was found: curves, the tables of arms and claims, all runs, and experiments side by side."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
+
+from ...engine.experiments.report import arm_columns, arm_rows, claim_columns, claim_rows, words_in_arms
+from .comparing import ComparePage
+from .curves import CurvesView
+from .exporting import Exporting
+from .runs_page import RunsPage
+from .tables import TextTable, table_view
+
+if TYPE_CHECKING:
+    from ...engine.experiments.findings import Findings
+    from .study import Study
+    from .window import ExperimentsWindow
+
+
+class Pages(QTabWidget):
+    """The pages below the controls.
+
+    Attributes:
+        found: What they show; None if nothing was found yet.
+    """
+
+    def __init__(self, window: ExperimentsWindow) -> None:
+        super().__init__()
+        self.found: Findings | None = None
+        self.measure = QComboBox()
+        self.measure.setAccessibleName("measure")
+        self.measure.setToolTip("What the curves show")
+        self.measure.activated.connect(lambda _: self._show_curves())
+        self.curves = CurvesView(window.studio.theme)
+        self.arms, self.claims = TextTable(), TextTable()
+        self.runs = RunsPage(window)
+        self.compare = ComparePage(window)
+        self.exporting = Exporting(window)
+        self.setDocumentMode(True)
+        self.addTab(self._curves_page(), "Curves")
+        self.addTab(table_view(self.arms, "arms"), "Arms")
+        self.addTab(table_view(self.claims, "claims"), "Claims")
+        self.addTab(self.runs, "Runs")
+        self.addTab(self.compare, "Side by side")
+        window.studio.theme.changed.connect(self._show_curves)
+
+    def _curves_page(self) -> QWidget:
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.setContentsMargins(0, 6, 0, 0)
+        line = QHBoxLayout()
+        line.addWidget(self.measure)
+        line.addStretch(1)
+        for button in self.exporting.buttons:
+            line.addWidget(button)
+        column.addLayout(line)
+        column.addWidget(self.curves, 1)
+        return page
+
+    def offer_measures(self, study: Study) -> None:
+        """Offer the measures of a study's scenario, the first that its figure shows being chosen."""
+        measures = list(study.scenario.measures)
+        if [self.measure.itemText(k) for k in range(self.measure.count())] != measures:
+            self.measure.clear()
+            self.measure.addItems(measures)
+        panels = [panel.measure for panel in study.declared.panels if panel.measure in measures]
+        self.measure.setCurrentText(panels[0] if panels else (measures[0] if measures else ""))
+
+    def show_found(self, found: Findings | None) -> None:
+        """Show what was found so far."""
+        self.found = found
+        if found is None:
+            self.arms.show([], [])
+            self.claims.show([], [])
+        else:
+            self.arms.show(arm_columns(found), arm_rows(found), words_in_arms(found.experiment))
+            self.claims.show(claim_columns(found), claim_rows(found), len(claim_columns(found)))
+        self._show_curves()
+        self.exporting.refresh(found)
+
+    def _show_curves(self) -> None:
+        self.curves.show_findings(self.found, self.measure.currentText())
