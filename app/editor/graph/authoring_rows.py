@@ -53,6 +53,14 @@ class _Able:
             and bool(level.automaton.rules_of(path[-1]))
         )
 
+    def removal_words(self, studio: Studio) -> str:
+        """What removing does to what is selected."""
+        if not self.has_edge(studio):
+            return "Remove the state"
+        edge = self._panel.scene.edge
+        item = None if edge is None else self._panel.scene.edges.get(edge)
+        return "Prune the transition" if item is not None and not item.edge.rules else "Remove the transition"
+
 
 def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
     """Changing the automaton."""
@@ -149,6 +157,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Remove the state or transition",
             lambda _: panel.remove(),
             "Rules are removed, what was learned is pruned; Delete in the graph",
+            says=able.removal_words,
             icon="delete-outline",
             enabled=able.has_any,
         ),

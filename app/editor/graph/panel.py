@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QStackedLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from ...core.automaton import Content
 from ...core.edits import move_states
@@ -26,7 +26,7 @@ from .rows import graph_rows
 from .scene import GraphScene
 from .scoping import Scoping
 from .state_item import Path
-from .trail import Trail
+from .trail import Trail, top_bar
 from .view import GraphView
 
 if TYPE_CHECKING:
@@ -84,18 +84,7 @@ class GraphPanel(QWidget):
 
     def _build(self) -> None:
         self._trail = Trail()
-        top = QHBoxLayout()
-        top.setContentsMargins(8, 0, 8, 0)
-        top.setSpacing(2)
-        top.addWidget(self._trail, 1)
-        self._buttons: dict[str, QToolButton] = {}
-        for action in ("graph.zoom_in", "graph.zoom_out", "graph.fit", "graph.arrange"):
-            button = QToolButton()
-            button.setProperty("flat", "true")
-            button.setDefaultAction(self.studio.actions[action])
-            button.setAccessibleName(self.studio.actions.rows[action].text)
-            top.addWidget(button)
-            self._buttons[action] = button
+        top = top_bar(self.studio, self._trail)
         self._hint = QLabel(HINT)
         self._hint.setProperty("role", "caption")
         self._hint.setWordWrap(True)

@@ -119,6 +119,19 @@ class GraphScene(QGraphicsScene):
         if changed:
             self.marked.emit()
 
+    def turn(self, by: int) -> None:
+        """Select the next or the previous transition that leaves the state that is selected."""
+        if self.edge is not None:
+            source = (*self.edge[0], self.edge[1])
+        elif self.current is not None:
+            source = self.current
+        else:
+            return
+        leaving = [key for key in self.edges if (*key[0], key[1]) == source]
+        if leaving:
+            place = leaving.index(self.edge) + by if self.edge in leaving else min(by, 0)
+            self.mark((), leaving[place % len(leaving)])
+
     @property
     def current(self) -> Path | None:
         """The state that was selected last."""

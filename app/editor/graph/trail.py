@@ -1,9 +1,18 @@
-"""Which automata were entered on the way to the one that is shown, above it as links to go back."""
+"""What stands above the graph: which automata were entered on the way to the one that is shown, as links, and buttons."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from ..selection import BehaviorKey
+
+if TYPE_CHECKING:
+    from ..studio import Studio
+
+BUTTONS = ("graph.zoom_in", "graph.zoom_out", "graph.fit", "graph.arrange")
 
 
 class Trail(QWidget):
@@ -46,3 +55,18 @@ class Trail(QWidget):
         button.setAccessibleName(f"Back to {name}")
         button.clicked.connect(lambda: self.chosen.emit(key))
         return button
+
+
+def top_bar(studio: Studio, trail: Trail) -> QHBoxLayout:
+    """The trail, and buttons for looking at the graph."""
+    row = QHBoxLayout()
+    row.setContentsMargins(8, 0, 8, 0)
+    row.setSpacing(2)
+    row.addWidget(trail, 1)
+    for action in BUTTONS:
+        button = QToolButton()
+        button.setProperty("flat", "true")
+        button.setDefaultAction(studio.actions[action])
+        button.setAccessibleName(studio.actions.rows[action].text)
+        row.addWidget(button)
+    return row

@@ -33,6 +33,8 @@ WAYS = {
     Qt.Key.Key_Up: (0.0, -1.0),
     Qt.Key.Key_Down: (0.0, 1.0),
 }
+#: Page down and up go through the transitions of a state.
+TURNS = {Qt.Key.Key_PageDown: 1, Qt.Key.Key_PageUp: -1}
 #: How far Ctrl and an arrow key move a state.
 NUDGE = 10.0
 
@@ -278,7 +280,10 @@ class GraphView(DiagramView):
         """Walk from state to state, open, change, remove, link."""
         key = Qt.Key(event.key())
         if key in WAYS:
-            self._walk(WAYS[key], moves=bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier))
+            self._walk(WAYS[key], event.modifiers())
+        elif key in TURNS:
+            self._graph.turn(TURNS[key])
+            self.show_selected()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._enter()
         elif key == Qt.Key.Key_Escape:
@@ -338,23 +343,29 @@ class GraphView(DiagramView):
         else:
             self.edited.emit()
 
-    def _walk(self, way: Point, *, moves: bool) -> None:
+    def _walk(self, way: Point, keys: Qt.KeyboardModifier) -> None:
         current = self._graph.current
-        if moves and current is not None:
+        if keys & Qt.KeyboardModifier.ControlModifier and current is not None:
             self.nudged.emit(current, (way[0] * NUDGE, way[1] * NUDGE))
             return
-        found: Path | None = next(iter(self._graph.states), None)
+        found: Path | None = self._end_of_edge(way) or next(iter(self._graph.states), None)
         if current is not None:
             middles = [
                 (path, at.toTuple()) for path, at in self._graph.around() if self._walkable(path, current)
             ]
             found = next_one(self._graph.states[current].scenePos().toTuple(), middles, way)
         if found is not None:
-            self._graph.mark([found])
+            before = self._graph.selected if keys & Qt.KeyboardModifier.ShiftModifier else ()
+            self._graph.mark([*(path for path in before if path != found), found])
             item = self._graph.states[found]
             self.show_item(item.mapRectToScene(item.box))
             if self._linking_from is not None:
                 self.stretch(self._linking_from, item.scenePos().toTuple())
+
+    def _end_of_edge(self, way: Point) -> Path | None:
+        """From a transition, right and down lead to its target, left and up to its source."""
+        edge = self._graph.edge
+        return None if edge is None else (*edge[0], edge[2] if sum(way) > 0 else edge[1])
 
     def _walkable(self, path: Path, current: Path) -> bool:
         if self._linking_from is not None:

@@ -43,6 +43,24 @@ def test_arrow_keys_walk_from_state_to_state(panel: GraphPanel, studio: Studio, 
     assert studio.selection.state == "return-with-box"
 
 
+def test_page_keys_go_through_the_transitions_of_a_state(panel: GraphPanel, qtbot: QtBot) -> None:
+    Author(panel, qtbot).click(("wander",))
+    for target in ("return-with-box", "wander", "return-with-box"):
+        qtbot.keyClick(panel.view, Qt.Key.Key_PageDown)
+        assert panel.scene.edge == ((), "wander", target)
+    qtbot.keyClick(panel.view, Qt.Key.Key_PageUp)
+    assert panel.scene.edge == ((), "wander", "wander")
+    qtbot.keyClick(panel.view, Qt.Key.Key_PageUp)
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down)
+    assert panel.scene.current == RETURN
+
+
+def test_shift_and_arrow_keys_select_several_states(panel: GraphPanel, qtbot: QtBot) -> None:
+    Author(panel, qtbot).click(("wander",))
+    qtbot.keyClick(panel.view, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    assert panel.scene.selected == (("wander",), RETURN)
+
+
 def test_the_expander_opens_an_automaton_in_place_to_any_depth(panel: GraphPanel, qtbot: QtBot) -> None:
     Author(panel, qtbot).click(RETURN, panel.scene.states[RETURN].expander().center())
     Author(panel, qtbot).settle()
