@@ -117,7 +117,6 @@ class Actions(QObject):
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         tip = row.tip or row.text.rstrip("…")
         action.setToolTip(f"{tip} ({keys})" if keys else tip)
-        action.setStatusTip(tip)
 
     def refresh(self) -> None:
         """Texts, checks, and what is possible, as things are now."""

@@ -85,7 +85,9 @@ class RunWindows:
 
 def make_window(application: QApplication, settings: Settings) -> MainWindow:
     """A window with a studio of its own, showing the welcome page."""
-    return MainWindow(Studio(Theme(application, settings.theme), settings))
+    window = MainWindow(Studio(Theme(application, settings.theme), settings))
+    window.take_place()
+    return window
 
 
 def _log(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:

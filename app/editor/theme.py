@@ -133,9 +133,14 @@ def style_sheet(colors: Palette) -> str:
     hover = mixed(colors.accent, colors.raised, 0.86).name()
     chosen = mixed(colors.accent, colors.panel, 0.78).name()
     handle = mixed(colors.dim, colors.panel, 0.6).name()
+    off = mixed(colors.dim, colors.panel, 0.45).name()
+    check = f"{shipped_folder(ARROWS).as_posix()}/check-{'light' if colors is LIGHT else 'dark'}.svg"
     arrow = f"{shipped_folder(ARROWS).as_posix()}/chevron-{{}}-{'light' if colors is LIGHT else 'dark'}.svg"
     return f"""
 QMainWindow, QMenuBar, QStatusBar {{ background: {colors.background}; }}
+QMenuBar {{ padding: 2px 4px; }}
+QMenuBar::item {{ background: transparent; padding: 5px 8px; border-radius: 5px; }}
+QMenuBar::item:selected {{ background: {chosen}; }}
 QDockWidget > QWidget, QDialog {{ background: {colors.panel}; }}
 QMainWindow::separator {{ background: {colors.hairline}; width: 2px; height: 2px; }}
 QMainWindow::separator:hover {{ background: {colors.accent}; }}
@@ -148,13 +153,18 @@ QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
+QAbstractSpinBox QLineEdit {{ padding-left: 6px; }}
 QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {hover}; }}
 QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus {{
     border-color: {colors.accent}; }}
 QPushButton:checked, QToolButton:checked {{ background: {chosen}; border-color: {colors.accent}; }}
-QPushButton:disabled, QToolButton:disabled {{ background: {colors.panel}; }}
+QPushButton:disabled, QToolButton:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled {{ background: {colors.panel}; }}
+QSplitter::handle {{ background: {colors.hairline}; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {hover}; }}
+QComboBox QAbstractItemView, #completions {{ background: {colors.raised}; border: 1px solid {colors.hairline}; }}
+QComboBoxPrivateContainer {{ border: none; }}
+QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
 QComboBox::drop-down {{ border: none; width: 20px; }}
 QComboBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 12px; height: 12px; }}
 QSpinBox, QDoubleSpinBox {{ padding-right: 18px; }}
@@ -176,7 +186,7 @@ QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
 QMenu {{ background: {colors.raised}; border: 1px solid {colors.hairline}; padding: 4px; }}
 QMenu::item {{ padding: 5px 24px 5px 10px; border-radius: 4px; }}
 QMenu::item:selected {{ background: {chosen}; color: {colors.text}; }}
-QMenu::item:disabled {{ color: {handle}; }}
+QMenu::item:disabled {{ color: {off}; }}
 QMenu::separator {{ background: {colors.hairline}; height: 1px; margin: 4px 6px; }}
 QMenu::icon {{ padding-left: 8px; }}
 QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ border: none;
@@ -184,8 +194,13 @@ QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ b
 QTreeView::item, QListView::item {{ padding: 3px 2px; }}
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {{ background: {chosen};
     color: {colors.text}; }}
-QCheckBox::indicator:unchecked, QListView::indicator:unchecked, QTableView::indicator:unchecked {{
-    width: 11px; height: 11px; border: 1px solid {colors.dim}; border-radius: 3px; background: {colors.panel}; }}
+QCheckBox::indicator, QListView::indicator, QTableView::indicator, QTreeView::indicator {{
+    width: 12px; height: 12px; border: 1px solid {colors.dim}; border-radius: 4px; background: {colors.raised}; }}
+QCheckBox::indicator:checked, QListView::indicator:checked, QTableView::indicator:checked, QTreeView::indicator:checked {{
+    border-color: {colors.accent}; background: {colors.accent}; image: url("{check}"); }}
+QCheckBox::indicator:disabled {{ border-color: {colors.hairline}; background: {colors.panel}; }}
+QCheckBox::indicator:checked:disabled {{ background: {handle}; }}
+QCheckBox::indicator:focus {{ border-color: {colors.accent}; }}
 QHeaderView::section {{ background: {colors.panel}; color: {colors.dim}; border: none;
     border-bottom: 1px solid {colors.hairline}; padding: 4px 6px; }}
 QTabBar::tab {{ background: transparent; color: {colors.dim}; padding: 6px 10px; border: none;

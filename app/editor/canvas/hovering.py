@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QEvent, QObject, Signal
 
 from .frame import Frame
 from .hits import controller_at, entity_at
@@ -14,6 +14,22 @@ from .words import entity_words, node_words
 
 if TYPE_CHECKING:
     from ..studio import Studio
+
+
+class Covers(QObject):
+    """Notices when the mouse goes onto something that lies over the canvas, of which the canvas itself hears nothing.
+
+    Signals:
+        entered: It has.
+    """
+
+    entered = Signal()
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Tell of the mouse; keep nothing from anybody."""
+        if event.type() == QEvent.Type.Enter:
+            self.entered.emit()
+        return False
 
 
 class Hovering(QObject):

@@ -55,7 +55,7 @@ def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
         studio.actions["teach.teach"].trigger()
 
     action = menu.addAction(f"Teach {name}", teach)
-    action.setToolTip(studio.actions["teach.teach"].statusTip())
+    action.setToolTip(studio.actions.rows["teach.teach"].tip)
     menu.addSeparator()
 
 

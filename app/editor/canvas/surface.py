@@ -133,9 +133,13 @@ class Surface(QWidget):
 
     def leaveEvent(self, event: QEvent) -> None:
         """Nothing is under the mouse any more."""
+        self.forget_mouse()
+        super().leaveEvent(event)
+
+    def forget_mouse(self) -> None:
+        """The mouse is not over the world."""
         self._mouse = None
         self.hovering.nothing()
-        super().leaveEvent(event)
 
     # ------------------------------------------------------------------------------------------ under the mouse
 

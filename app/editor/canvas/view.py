@@ -16,6 +16,7 @@ from .coloring import ATTACHED, Coloring, color_agents
 from .frame import Frame
 from .group_painting import controller_colors
 from .hand import Choice
+from .hovering import Covers
 from .ink import Ink
 from .legend import Legend
 from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
@@ -74,6 +75,11 @@ class WorldCanvas(Surface):
         self.moment = Banner(studio, self, "moment")
         self.prompt = Banner(studio, self, "prompt")
         self.notice = Banner(studio, self, "notice")
+        self._covers = Covers(self)
+        self._covers.entered.connect(self.forget_mouse)
+        banners = self.failure, self.moment, self.prompt, self.notice
+        for part in (self.badge, self.camera_buttons, self.legend, *banners):
+            part.installEventFilter(self._covers)
 
     def _connect(self) -> None:
         studio = self._studio

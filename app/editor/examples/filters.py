@@ -15,9 +15,6 @@ if TYPE_CHECKING:
     from ...core.examples import Example
     from .model import ExamplesModel, Subject
 
-#: What a box says that filters nothing, after what it is about.
-ANY = "any"
-
 
 class FilterBar(QWidget):
     """A row of boxes, each of which narrows the table.
@@ -115,7 +112,7 @@ class FilterBar(QWidget):
         box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         box.setMaximumWidth(150)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        box.addItem(f"{caption}: {ANY}", None)
+        box.addItem(caption[:1].upper() + caption[1:], None)  # that filters nothing: as the column is called
         box.activated.connect(lambda _: self.changed.emit())
         layout.addWidget(box, 2)
         return box

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QComboBox, QCompleter, QLineEdit
 
 
@@ -21,6 +22,18 @@ class Choice:
     name: str
     value: object
     tip: str = ""
+
+
+class _Field(QLineEdit):
+    """A click into it while it is empty shows all that can be chosen."""
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """See above."""
+        super().mouseReleaseEvent(event)
+        completer = self.completer()
+        if not self.text():
+            completer.setCompletionPrefix("")
+            completer.complete()
 
 
 class Chooser(QComboBox):
@@ -39,7 +52,7 @@ class Chooser(QComboBox):
         super().__init__()
         self._choices: tuple[Choice, ...] = ()
         self.setAccessibleName(name)
-        self.field = QLineEdit()
+        self.field: QLineEdit = _Field()
         self.setEditable(True)
         self.setLineEdit(self.field)
         self.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
@@ -52,6 +65,10 @@ class Chooser(QComboBox):
         completer.setFilterMode(Qt.MatchFlag.MatchContains)
         completer.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
         completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+        completer.setMaxVisibleItems(self.maxVisibleItems())
+        popup = completer.popup()
+        assert popup is not None
+        popup.setObjectName("completions")
         self.activated.connect(self._activated)
         completer.activated.connect(self._completed)
         self.field.editingFinished.connect(self._typed)

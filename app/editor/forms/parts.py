@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -111,9 +111,15 @@ class OrderedList(QWidget):
     removed = Signal(str)
     renamed = Signal(str, str)
 
-    def __init__(self, name: str, theme: Theme, *, editable: bool = False) -> None:
+    def __init__(self, name: str, theme: Theme, *, editable: bool = False, empty: str = "") -> None:
+        """A list.
+
+        Args:
+            empty: What it says while nothing is in it.
+        """
         super().__init__()
         self._theme = theme
+        self.empty = empty
         self._items: tuple[Item, ...] = ()
         self._editable = editable
         self._filling = False
@@ -237,6 +243,16 @@ class _List(QListWidget):
         self.setEditTriggers(
             QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.DoubleClicked
         )
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """An empty list says what it is for."""
+        super().paintEvent(event)
+        if not self.count() and self._owner.empty:
+            painter = QPainter(self.viewport())
+            painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
+            words = Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.viewport().rect().adjusted(9, 7, -9, -7), words, self._owner.empty)
+            painter.end()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """See above."""

@@ -153,7 +153,7 @@ class BehaviorDelegate(QStyledItemDelegate):
     def _paint_group(self, painter: QPainter, rect: QRect, title: str) -> None:
         painter.setFont(text_font(CAPTION))
         painter.setPen(self._studio.theme.color("dim"))
-        painter.drawText(rect.adjusted(2, 6, 0, 0), Qt.AlignmentFlag.AlignVCenter, title)
+        painter.drawText(rect.adjusted(2, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, title)
 
     def _paint_row(
         self, painter: QPainter, rect: QRect, row: Row, fit: Fit | None, *, selected: bool, hovered: bool

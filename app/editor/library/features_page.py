@@ -14,6 +14,12 @@ from .source_form import SourceForm
 FORCE = "Drop it, and the rules and prunes that test it"
 
 
+EMPTY = (
+    "What the behavior looks at when it decides: a distance, whether a box is in sight, the flag of what it runs. "
+    "Choose it below. Features can be added later, too, also to what was taught already."
+)
+
+
 class FeaturesPage(QWidget):
     """The list of features, the one that is chosen in full, and a form to add one."""
 
@@ -21,7 +27,7 @@ class FeaturesPage(QWidget):
         super().__init__()
         self._editing = editing
         theme = editing.studio.theme
-        self.features = OrderedList("Features", theme)
+        self.features = OrderedList("Features", theme, empty=EMPTY)
         self.features.chosen.connect(lambda _: self._show_chosen())
         self.features.moved.connect(lambda key, to: self._say(editing.do(move_feature, key, to)))
         self.features.removed.connect(self._remove)
@@ -133,6 +139,11 @@ class FeaturesPage(QWidget):
             self.new.offer(scope, automaton, None)
             after = self._automaton.features if self._automaton else ()
             self.refresh(next((use.id for use in after if use.id not in before), ""))
+
+    def settle(self) -> bool:
+        """Add what was composed but not added yet; whether nothing is left half done."""
+        self._add()
+        return not self.new.what.currentText().strip()
 
     def _remove(self, key: str) -> None:
         message = self._say(self._editing.do(drop_feature, key))

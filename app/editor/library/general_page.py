@@ -23,6 +23,9 @@ from .editing import Editing
 FIRST_PARAMETER = "X"
 
 
+EMPTY = "None: most behaviors need none. One that goes somewhere leaves open where, as Goto(X) does."
+
+
 class GeneralPage(QWidget):
     """The form.
 
@@ -54,7 +57,7 @@ class GeneralPage(QWidget):
         self.types.addItems(types)
         self.types.setCurrentText(editing.type)
         self.types.activated.connect(lambda _: self.type_chosen.emit(self.types.currentText()))
-        self.parameters = OrderedList("Parameters", theme, editable=True)
+        self.parameters = OrderedList("Parameters", theme, editable=True, empty=EMPTY)
         self.parameters.setMaximumHeight(130)
         self.parameters.removed.connect(self._remove)
         self.parameters.moved.connect(self._move)

@@ -122,7 +122,7 @@ class NewAutomatonDialog(QDialog):
             self.accept()
 
     def accept(self) -> None:
-        """Make the behavior, as one step, and show it."""
+        """Make the behavior, as one step, and show it; what was chosen on a page but not added yet is added."""
         document, name = self._studio.document, self.general.name.text().strip()
         automaton = self.draft.automaton
         if automaton is not None and name != automaton.name:
@@ -130,6 +130,10 @@ class NewAutomatonDialog(QDialog):
             self.general.name_trouble.say(problem)
             if problem:
                 self.tabs.setCurrentWidget(self.general)
+                return
+        for page in (self.states, self.features):
+            if not page.settle():
+                self.tabs.setCurrentWidget(page)
                 return
         try:
             project = self.draft.kept(document.project)

@@ -103,6 +103,11 @@ class StatesPage(QWidget):
         editing.changed.connect(self.refresh)
         self.refresh()
 
+    def settle(self) -> bool:
+        """Add what was chosen but not added yet; whether nothing is left half done."""
+        self._add()
+        return not self.new.currentText().strip()
+
     def _lay_out(self) -> None:
         form = QFormLayout(self.detail)
         form.setContentsMargins(0, 0, 0, 0)

@@ -31,7 +31,7 @@ class LibraryTree(QTreeView):
         self.setObjectName("library-tree")
         self.setAccessibleName("Behaviors")
         self.setHeaderHidden(True)
-        self.setIndentation(8)
+        self.setIndentation(12)
         self.setMouseTracking(True)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -30,11 +30,13 @@ class IdlePage(QWidget):
         self.teach.clicked.connect(studio.actions["teach.teach"].trigger)
         self.targets = TargetRow(studio)
         self.filed = QLineEdit(placeholderText="demonstration")
-        self.filed.setToolTip("The name that the examples are filed under")
+        self.filed.setToolTip(
+            "The examples of a lesson are kept together under this name; the panel Examples can show them alone"
+        )
         self.filed.setAccessibleName("Name of the demonstration")
         self.filed.setFixedWidth(150)
         self.filed.editingFinished.connect(self._file)
-        filed = QLabel("filed under")
+        filed = QLabel("demonstration")
         filed.setProperty("role", "caption")
         first, second = QHBoxLayout(), QHBoxLayout()
         for widget, stretch in ((self.words, 1), (filed, 0), (self.filed, 0), (self.teach, 0)):

@@ -24,6 +24,7 @@ from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks, size_docks
+from .keys import OwnKeys
 from .messages import MessageBar
 from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
@@ -65,7 +66,7 @@ class MainWindow(QMainWindow):
         self.speed = Speed()
         self.files = Files(studio, self)
         self.experiments = Experiments(studio, self)
-        self._may_close = False
+        self._may_close = self._docks_shown = False
         self.palette_search = Palette(studio, self, self._catalog)
         studio.actions.add(
             (
@@ -114,10 +115,10 @@ class MainWindow(QMainWindow):
         studio.show_panel.connect(self.show_panel)
         studio.world_wanted.connect(self.come_to_front)
         self.files.waiting.connect(self._waiting)
-        self._restore()
         self._opened()
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setFocus()  # rather than a field, which would take keys that are shortcuts
+        OwnKeys(self)
 
     # ----------------------------------------------------------------------------------------- docks, menus
 
@@ -230,6 +231,7 @@ class MainWindow(QMainWindow):
         if is_open:
             self._restore()
         else:
+            self._keep_docks()
             for dock in self.docks.values():
                 dock.hide()
         self._titled()
@@ -243,13 +245,28 @@ class MainWindow(QMainWindow):
 
     # ------------------------------------------------------------------------------------------- the window
 
+    def take_place(self) -> None:
+        """Stand where the window stood last; at first, at a size that the screen has room for, or all over it."""
+        kept = self.studio.settings.bytes_of("geometry")
+        room = self.screen().availableSize()
+        if not kept.isEmpty() and self.restoreGeometry(kept):
+            return
+        if SIZE.width() >= room.width() or SIZE.height() >= room.height():
+            self.setWindowState(Qt.WindowState.WindowMaximized)
+
     def _restore(self) -> None:
-        settings = self.studio.settings
-        if not settings.bytes_of("geometry").isEmpty():
-            self.restoreGeometry(settings.bytes_of("geometry"))
-        state = settings.bytes_of("state")
+        if self._docks_shown:
+            return  # they stand where the user has put them since
+        self._docks_shown = True
+        state = self.studio.settings.bytes_of("state")
         if state.isEmpty() or not self.restoreState(state):
             self.standard_layout()
+
+    def _keep_docks(self) -> None:
+        """Remember where the docks stand, if they are there at all."""
+        if self._docks_shown:
+            self.studio.settings.keep("state", self.saveState())
+        self._docks_shown = False
 
     def showEvent(self, event: QShowEvent) -> None:
         """Docks get their first sizes once they are on the screen."""
@@ -265,8 +282,7 @@ class MainWindow(QMainWindow):
             return
         settings = self.studio.settings
         settings.keep("geometry", self.saveGeometry())
-        if self.studio.is_open:
-            settings.keep("state", self.saveState())
+        self._keep_docks()
         self.studio.shut_down()
         event.accept()
         self.closed.emit()
@@ -284,4 +300,6 @@ class MainWindow(QMainWindow):
     def _place_messages(self) -> None:
         width = min(MESSAGE_WIDTH, self._pages.width() - 32)
         height = max(40, self.messages.heightForWidth(width))
-        self.messages.setGeometry((self._pages.width() - width) // 2, 12, width, height)
+        # Above the legend: the badge at the top, which tells the mode, stays in sight.
+        top = max(8, self._pages.height() - height - 60)
+        self.messages.setGeometry((self._pages.width() - width) // 2, top, width, height)

@@ -26,6 +26,8 @@ class StatusBar(QStatusBar):
         self.setSizeGripEnabled(False)
         self.tick = self._label()
         self.rate = self._label()
+        self.measures = self._label()
+        self.measures.setToolTip("What the world counts so far; the panel Plots shows how it came")
         self.scenario = self._label()
         self.learner = self._label()
         self.notice = self._label()
@@ -49,7 +51,7 @@ class StatusBar(QStatusBar):
         return label
 
     def _cleared(self) -> None:
-        for label in (self.tick, self.rate, self.scenario, self.learner, self.notice):
+        for label in (self.tick, self.rate, self.measures, self.scenario, self.learner, self.notice):
             label.clear()
 
     def _snapshot_changed(self, snapshot: Snapshot) -> None:
@@ -60,6 +62,9 @@ class StatusBar(QStatusBar):
         if snapshot is not None:
             rate = self._studio.bridge.rate
             self.rate.setText(f"{rate:,.0f} ticks/s" if rate else "paused")
+            self.measures.setText(
+                " · ".join(f"{name} {count:,g}" for name, count in snapshot.measures.items())
+            )
             place = snapshot.place
             self.scenario.setText(f"{place.scenario} · {place.physics}")
             self.notice.setText(snapshot.notice)

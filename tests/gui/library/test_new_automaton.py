@@ -138,3 +138,37 @@ def test_a_controller_is_made_from_what_its_subsidiaries_can_do(
     assert made is not None
     assert made.states[1].content == Basic("Forage")
     assert made.features[0].shown == "any IAmAttachedToABox"
+
+
+def test_a_feature_chosen_but_not_added_is_added_with_the_behavior(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    name_it(dialog, qtbot, "Approach")
+    dialog.tabs.setCurrentWidget(dialog.features)
+    choose(dialog.features.new.what, qtbot, "ICanSeeABox")
+    press_ok(dialog, qtbot)
+    made = studio.document.project.library("agent").by_name("Approach")
+    assert made is not None
+    assert [use.source for use in made.features] == [Sense("ICanSeeABox")]
+
+
+def test_a_feature_that_lacks_its_target_is_not_dropped_silently(
+    dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    choose(dialog.features.new.what, qtbot, "DistanceTo(target)")
+    dialog.tabs.setCurrentWidget(dialog.general)
+    press_ok(dialog, qtbot)
+    assert dialog.isVisible()
+    assert dialog.tabs.currentWidget() is dialog.features
+    assert "Choose what 'target' is" in dialog.features.missing.text()
+
+
+def test_a_click_into_an_empty_chooser_shows_all_choices(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    field = dialog.features.new.what.field
+    qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
+    popup = dialog.features.new.what.completer().popup()
+    assert popup.isVisible()
+    assert popup.model().rowCount() == dialog.features.new.what.count()
+    popup.hide()

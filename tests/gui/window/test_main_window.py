@@ -2,13 +2,16 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import note_project
+from app.core.project import Project
 from app.editor.actions import MENUS
 from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
+from app.engine.scenarios import open_scenario
 from tests.gui.conftest import PATIENCE
 
 
@@ -86,3 +89,19 @@ def test_a_world_of_rigid_bodies_is_begun_from_the_menu(
     assert studio.snapshot is not None
     assert studio.snapshot.place.physics == "rigid"
     assert studio.actions["run.rigid"].isChecked()
+
+
+def test_opening_another_project_leaves_window_and_panels_where_they_are(
+    window: MainWindow, studio: Studio, foraging: Project
+) -> None:
+    window.resize(1300, 820)
+    window.docks["examples"].hide()
+    size = window.size()
+    studio.open(foraging, open_scenario(foraging), None, saved=False)
+    assert window.size() == size
+    assert window.docks["examples"].isHidden()
+
+
+def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: QtBot) -> None:
+    measures = window.statusBar().findChildren(QLabel)
+    qtbot.waitUntil(lambda: any("boxes 0" in label.text() for label in measures), timeout=PATIENCE)
