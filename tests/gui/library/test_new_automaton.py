@@ -166,9 +166,11 @@ def test_a_feature_that_lacks_its_target_is_not_dropped_silently(
 
 def test_a_click_into_an_empty_chooser_shows_all_choices(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
     dialog.tabs.setCurrentWidget(dialog.features)
-    field = dialog.features.new.what.field
-    qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
-    popup = dialog.features.new.what.completer().popup()
+    chooser = dialog.features.new.what
+    qtbot.mouseClick(chooser.field, Qt.MouseButton.LeftButton)
+    completer = chooser.completer()
+    popup = None if completer is None else completer.popup()
+    assert popup is not None
     assert popup.isVisible()
-    assert popup.model().rowCount() == dialog.features.new.what.count()
+    assert popup.model().rowCount() == chooser.count()
     popup.hide()
