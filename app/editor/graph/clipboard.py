@@ -1,7 +1,9 @@
 """States in the clipboard: where they were copied from, and which; copies are made from the project when pasted."""
 
+import atexit
 import json
 from dataclasses import dataclass
+from functools import cache
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
@@ -25,6 +27,19 @@ def put(copied: CopiedStates, names: str) -> None:
     data.setData(STATES_MIME, json.dumps(content).encode())
     data.setText(names)
     QGuiApplication.clipboard().setMimeData(data)
+    _leave_words_at_exit()
+
+
+@cache
+def _leave_words_at_exit() -> None:
+    """Have the clipboard let go of what Python made before Python ends: Qt would touch it after that, and crash."""
+    atexit.register(_leave_words)
+
+
+def _leave_words() -> None:
+    if QGuiApplication.instance() is not None and there() is not None:
+        clipboard = QGuiApplication.clipboard()
+        clipboard.setText(clipboard.text())
 
 
 def there() -> CopiedStates | None:

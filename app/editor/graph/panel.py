@@ -18,6 +18,7 @@ from .badges import Badges
 from .drafts import Drafts
 from .editing import GraphEditing
 from .form_strip import FormStrip
+from .hints import EMPTY, HINT, LINKING, NOTHING
 from .laying_out import LayingOut
 from .level import Drawn
 from .live import path_of
@@ -34,10 +35,6 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what the nodes do.
 LIVE = 33
-NOTHING = "Choose a behavior in the library to see its states."
-HINT = "Drop a behavior here to add a state. Drag from a state's handle to draw a transition."
-LINKING = "Choose where the transition leads: a click, or arrow keys and Enter. Esc gives up."
-EMPTY = "No states yet. Teach it, drop a behavior here, or use Add state in the context menu."
 
 
 class GraphPanel(QWidget):
@@ -129,7 +126,7 @@ class GraphPanel(QWidget):
         self.view.menu_wanted.connect(self._menu)
         self.form.closed.connect(self.close_form)
         self.view.clipped.connect(lambda what: self.studio.actions[f"graph.{what}"].trigger())
-        self.view.cancelled.connect(lambda: self._hint.setText(HINT))
+        self.view.cancelled.connect(self._cancelled)
         self.view.moved.connect(self.move_state)
         self.view.nudged.connect(lambda path, by: self.move_state(path, by, gesture="nudge"))
         self._trail.chosen.connect(self.go_back)
@@ -322,10 +319,15 @@ class GraphPanel(QWidget):
             self.scene.mark((), edge)
             self.edit()
 
+    def _cancelled(self) -> None:
+        self._hint.setText(HINT)
+        self.close_form()
+
     def edit(self) -> None:
         """Open the form of what is selected."""
         if self.scene.current is not None or self.scene.edge is not None:
             self.form.show()
+            self.view.has_form = True
             self._hint.hide()
             self._show_form()
             self.form.focus_first()
@@ -335,6 +337,7 @@ class GraphPanel(QWidget):
         """No form."""
         if self.form.isVisible():
             self.form.hide()
+            self.view.has_form = False
             self._hint.show()
             self.view.setFocus(Qt.FocusReason.OtherFocusReason)
 

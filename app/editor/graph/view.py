@@ -42,6 +42,9 @@ NUDGE = 10.0
 class GraphView(DiagramView):
     """Shows a scene and tells what the user wants of it.
 
+    Attributes:
+        has_form: A form is open that Escape closes.
+
     Signals:
         opened: Show the automaton of a state.
         toggled: Open or close a state in place.
@@ -77,6 +80,7 @@ class GraphView(DiagramView):
         self._link: tuple[QPointF, QPointF] | None = None
         self._linking_from: Path | None = None
         self._hovered: StateItem | None = None
+        self.has_form = False
         self.setMouseTracking(True)
         self.setAcceptDrops(True)
         self.setAccessibleName("Automaton graph")
@@ -274,7 +278,7 @@ class GraphView(DiagramView):
         if not isinstance(event, QKeyEvent):
             return False
         busy = self._linking_from is not None or not isinstance(self._gesture, Idle)
-        return event.key() == Qt.Key.Key_Escape and busy
+        return event.key() == Qt.Key.Key_Escape and (busy or self.has_form)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Walk from state to state, open, change, remove, link."""

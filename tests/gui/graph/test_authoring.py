@@ -254,3 +254,15 @@ def test_what_mends_a_problem_is_offered_at_its_place(author: Author, studio: St
     author.pick(menu, "Fix: remove the rule")
     assert [rule.target for rule in automaton(author).rules_of(START)] == ["wander"]
     assert studio.document.history.undo_text == "Remove the rule"
+
+
+def test_escape_closes_the_form_from_the_graph_as_from_its_fields(author: Author) -> None:
+    form = author.panel.form
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_F2)
+    assert form.isVisible()
+    author.key(Qt.Key.Key_Escape)
+    assert not form.isVisible()
+    author.key(Qt.Key.Key_F2)
+    author.qtbot.keyClick(form.state.name, Qt.Key.Key_Escape)
+    assert not form.isVisible()
