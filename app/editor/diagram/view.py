@@ -1,6 +1,6 @@
 """A view of a diagram: the wheel zooms, dragging the ground pans, and it fits itself in until the user takes over."""
 
-from PySide6.QtCore import QPoint, QRectF, Qt
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QMouseEvent, QPainter, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView
 
@@ -10,8 +10,10 @@ LEAST, MOST = 0.08, 4.0
 #: One notch of the wheel.
 STEP = 1.2
 #: A diagram that is fitted in is never drawn larger, and smaller only as far as it can be read.
-FITTED, READABLE = 1.0, 0.4
+FITTED, READABLE = 1.0, 0.75
 MARGIN = 12.0
+#: Pixels of the scene around a diagram, into which it can be dragged.
+ROOM = 2000.0
 
 
 class DiagramView(QGraphicsView):
@@ -25,13 +27,14 @@ class DiagramView(QGraphicsView):
         super().__init__(scene)
         self._theme = theme
         self.is_fitted = True
+        self._shown_whole = QRectF(), QSize()
         self._pan_from: QPoint | None = None
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setRenderHint(QPainter.RenderHint.Antialiasing)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.SmartViewportUpdate)
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.AnchorUnderMouse)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        for bar in (self.horizontalScrollBar(), self.verticalScrollBar()):
+            bar.actionTriggered.connect(self._scrolled)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         theme.changed.connect(self._dress)
         self._dress()
@@ -48,16 +51,15 @@ class DiagramView(QGraphicsView):
 
     def zoom(self, factor: float) -> None:
         """Larger or smaller, around the pointer or the middle."""
-        self.is_fitted = False
+        self._take_over()
         wanted = min(MOST, max(LEAST, self.scale_now * factor))
         self.scale(wanted / self.scale_now, wanted / self.scale_now)
 
     def fit(self) -> None:
-        """Show the whole diagram, or as much of it as can be read."""
+        """Show the whole diagram, or as much of it as can be read, and scroll bars for the rest."""
         self.is_fitted = True
-        whole = self.contents()
-        self.setSceneRect(whole.adjusted(-2000, -2000, 2000, 2000))
-        seen = self.viewport().rect()
+        whole, seen = self.contents(), self.maximumViewportSize()
+        self._shown_whole = whole, seen
         if whole.isEmpty() or seen.isEmpty():
             return
         wide = (seen.width() - 2 * MARGIN) / whole.width()
@@ -65,7 +67,23 @@ class DiagramView(QGraphicsView):
         scale = max(READABLE, min(wide, high, FITTED))
         self.resetTransform()
         self.scale(scale, scale)
+        self._frame(MARGIN / 2 / scale, Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.centerOn(self._middle(whole, scale))
+
+    def _frame(self, room: float, bars: Qt.ScrollBarPolicy) -> None:
+        """Leave *room* around the diagram."""
+        self.setHorizontalScrollBarPolicy(bars)
+        self.setVerticalScrollBarPolicy(bars)
+        self.setSceneRect(self.contents().adjusted(-room, -room, room, room))
+
+    def _take_over(self) -> None:
+        """The user has panned or zoomed: the diagram goes wherever it is put, even out of sight."""
+        self.is_fitted = False
+        self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+
+    def _scrolled(self) -> None:
+        """What was scrolled to stays."""
+        self.is_fitted = False
 
     def _middle(self, whole: QRectF, scale: float) -> QPoint:
         """What to put into the middle: all of it, or its upper part where it does not fit in."""
@@ -85,10 +103,10 @@ class DiagramView(QGraphicsView):
 
     def changed(self) -> None:
         """Say that the diagram has another extent."""
-        if self.is_fitted:
+        if not self.is_fitted:
+            self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        elif self._shown_whole != (self.contents(), self.maximumViewportSize()):
             self.fit()
-        else:
-            self.setSceneRect(self.contents().adjusted(-2000, -2000, 2000, 2000))
 
     # ---------------------------------------------------------------------------------------------- the hand
 
@@ -123,7 +141,7 @@ class DiagramView(QGraphicsView):
         return panned
 
     def _pan(self, by: QPoint) -> None:
-        self.is_fitted = False
+        self._take_over()
         horizontal, vertical = self.horizontalScrollBar(), self.verticalScrollBar()
         horizontal.setValue(horizontal.value() - by.x())
         vertical.setValue(vertical.value() - by.y())
@@ -131,5 +149,5 @@ class DiagramView(QGraphicsView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Stay fitted in."""
         super().resizeEvent(event)
-        if self.is_fitted:
+        if self.is_fitted and self._shown_whole[1] != self.maximumViewportSize():
             self.fit()
