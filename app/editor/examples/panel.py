@@ -41,13 +41,13 @@ _ICONS = {
 }
 _WIDTHS = {
     Column.ID: 76,
-    Column.SOURCE: 120,
-    Column.LABEL: 120,
-    Column.NODE: 80,
+    Column.SOURCE: 112,
+    Column.LABEL: 112,
+    Column.VERDICT: 88,
+    Column.NODE: 76,
     Column.TICK: 60,
-    Column.DEMONSTRATION: 110,
-    Column.WEIGHT: 56,
-    Column.VERDICT: 96,
+    Column.DEMONSTRATION: 112,
+    Column.WEIGHT: 64,
 }
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
 
@@ -102,6 +102,7 @@ class ExamplesPanel(QWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         for column, width in _WIDTHS.items():
             table.setColumnWidth(column, width)
+        header.moveSection(Column.VERDICT, Column.NODE)  # what is seen without scrolling, the narrow window's too
         header.setSectionResizeMode(Column.WORDS, QHeaderView.ResizeMode.Stretch)
         table.setItemDelegateForColumn(Column.LABEL, LabelDelegate(self.model, table))
         table.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(table))
