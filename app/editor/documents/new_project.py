@@ -13,6 +13,7 @@ from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...engine.fresh import AGENTS, MOST_AGENTS, fresh_project
 from ...sim.scenarios import names, shipped
+from ..number_box import roomy
 from .forms import Form, PlaceEdit, folder_problem, usable_name
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ class NewProject(QDialog):
 
 
 def _count(least: int, most: int, value: int, name: str, tip: str) -> QSpinBox:
-    box = QSpinBox()
+    box = roomy(QSpinBox())
     box.setRange(least, most)
     box.setValue(value)
     box.setAccessibleName(name)

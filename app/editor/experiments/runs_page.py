@@ -14,6 +14,7 @@ from ...engine.commands import GoTo, Reset
 from ...engine.experiments.store import Row
 from ...engine.experiments.treatments import Ready, Treatments, sorted_settings
 from ..documents.asking import Answer, Question
+from ..number_box import roomy
 from .study import Study
 from .tables import TextTable, table_view
 
@@ -31,7 +32,7 @@ class RunsPage(QWidget):
         self._rows: Sequence[Row] = ()
         self.model = TextTable()
         self.table = table_view(self.model, "runs")
-        self.tick = QSpinBox()
+        self.tick = roomy(QSpinBox())
         self.tick.setToolTip("The tick to open the world at")
         self.tick.setAccessibleName("tick")
         self.tick.setGroupSeparatorShown(True)

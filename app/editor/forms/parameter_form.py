@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from ...core.project import Value
 from ...sim.parameters import default
 from ..icons import icon
+from ..number_box import roomy
 
 if TYPE_CHECKING:
     from ..theme import Theme
@@ -149,14 +150,14 @@ class ParameterForm(QWidget):
             check.clicked.connect(lambda on: self._set(name, on))
             return check
         if isinstance(declared.default, int):
-            whole = QSpinBox()
+            whole = roomy(QSpinBox())
             whole.setRange(
                 -MOST_WHOLE if low is None else max(-MOST_WHOLE, int(low)),
                 MOST_WHOLE if high is None else min(MOST_WHOLE, int(high)),
             )
             self._connect(name, whole)
             return whole
-        real = QDoubleSpinBox(decimals=4)
+        real = roomy(QDoubleSpinBox(decimals=4))
         real.setRange(-MOST if low is None else low, MOST if high is None else high)
         real.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         self._connect(name, real)

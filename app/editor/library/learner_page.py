@@ -30,6 +30,7 @@ from ...learner.evaluation import BehaviorReport
 from ...learner.registry import METHODS, Option
 from ...learner.trainer import Key, learn, quiet
 from ..forms.parts import Complaint, caption
+from ..number_box import roomy
 from .editing import Editing
 
 #: The slider's confidence in percent, and where it begins when it is turned on (C4.5's own).
@@ -166,10 +167,10 @@ class LearnerPage(QWidget):
     def _field(self, option: Option) -> QDoubleSpinBox | QSpinBox:
         field: QDoubleSpinBox | QSpinBox
         if option.whole:
-            field = QSpinBox()
+            field = roomy(QSpinBox())
             field.setRange(int(option.low), int(option.high))
         else:
-            field = QDoubleSpinBox(decimals=6)
+            field = roomy(QDoubleSpinBox(decimals=6))
             field.setRange(option.low, option.high)
             field.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         field.setAccessibleName(option.title)

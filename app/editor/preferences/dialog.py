@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..actions import ActionRow
+from ..number_box import roomy
 from ..theme import ThemeMode
 from .keys import KeysPage
 
@@ -49,7 +50,7 @@ class Preferences(QDialog):
         self.theme = QComboBox()
         for mode, text in _THEMES.items():
             self.theme.addItem(text, mode)
-        self.autosave = QSpinBox()
+        self.autosave = roomy(QSpinBox())
         self.learns = QCheckBox("Learn by itself")
         self.keys = KeysPage(studio)
         self.controls: dict[str, QWidget] = {

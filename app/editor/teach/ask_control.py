@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
+from ..number_box import roomy
 from .asking import BELOW, BEYOND
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class AskControl(QWidget):
         self.switch = QToolButton()
         self.switch.setDefaultAction(studio.actions["teach.ask"])
         self.switch.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        self.below = QSpinBox(minimum=1, maximum=100, suffix=" %", value=round(100 * BELOW))
+        self.below = roomy(QSpinBox(minimum=1, maximum=100, suffix=" %", value=round(100 * BELOW)))
         self.below.setPrefix("below ")
         self.below.setFixedWidth(112)
         self.below.setToolTip("Ask where the most probable next state is less probable than this")
@@ -64,7 +65,7 @@ class AskControl(QWidget):
         self.unsure.setChecked(True)
         self.unknown = QCheckBox("farther from all examples than")
         self.unknown.setToolTip("Ask where what it sees is like no example of the state that it is in")
-        self.beyond = QDoubleSpinBox(minimum=0.01, maximum=10.0, singleStep=0.05, value=BEYOND)
+        self.beyond = roomy(QDoubleSpinBox(minimum=0.01, maximum=10.0, singleStep=0.05, value=BEYOND))
         self.beyond.setAccessibleName("Ask beyond this distance from all examples")
         self.beyond.setToolTip("1 is as far apart as the examples are in one feature")
         grid = QGridLayout(page)

@@ -27,6 +27,7 @@ from ...core.tree import Forest, Tree
 from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
 from ..diagram.label_colors import state_colors
+from ..number_box import roomy
 from .menus import node_menu
 from .previewing import Previewing
 from .pruning import Pruning
@@ -91,9 +92,11 @@ class TreePanel(QWidget):
 
     def _build(self) -> None:
         self._states = QComboBox()
+        self._states.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self._states.setMinimumContentsLength(8)
         self._states.setAccessibleName("State whose decisions are shown")
         self._states.setToolTip("The state whose decisions are shown")
-        self.which = QSpinBox()
+        self.which = roomy(QSpinBox())
         self.which.setPrefix("tree ")
         self.which.setAccessibleName("Tree of the forest")
         self.which.setToolTip("Which tree of the forest is shown")

@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...core.edits import prune_weak, remove_cut, remove_prune
+from ..number_box import roomy
 from .subject import Subject
 from .words import cut_words, prune_words
 
@@ -46,12 +46,14 @@ class PrunePage(QWidget):
         self.back = QPushButton("Take back")
         self.back.setToolTip("Take back the prune or cut that is selected")
         self.back.clicked.connect(self.take_back)
-        self.support = QSpinBox()
-        self.support.setRange(1, 100_000)
+        self.support = roomy(QSpinBox())
+        self.support.setRange(1, 9_999)
+        self.support.setMaximumWidth(72)
+        self.support.setPrefix("< ")
         self.support.setValue(2)
         self.support.setAccessibleName("Least number of examples")
-        self.support.setToolTip("Transitions that fewer examples speak for are pruned")
-        self.weak = QPushButton("Prune weaker")
+        self.support.setToolTip("Prune transitions that fewer examples than this speak for")
+        self.weak = QPushButton("Prune all")
         self.weak.setToolTip(
             "Prune all transitions that fewer examples speak for, in all states of the behavior"
         )
@@ -59,7 +61,6 @@ class PrunePage(QWidget):
         below = QHBoxLayout()
         below.addWidget(self.back)
         below.addStretch(1)
-        below.addWidget(QLabel("fewer than"))
         below.addWidget(self.support)
         below.addWidget(self.weak)
         column = QVBoxLayout(self)
