@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QSizePolicy,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from .confidence_page import ConfidencePage
 from .cut_page import CutPage
@@ -38,6 +46,7 @@ class Tools(QWidget):
         self.confidence = ConfidencePage()
         self._stack = QStackedWidget()
         self._stack.setFixedHeight(HEIGHT)
+        self._stack.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._stack.hide()
         self.buttons: dict[str, QToolButton] = {}
         row = QHBoxLayout()
