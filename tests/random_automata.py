@@ -1,8 +1,8 @@
 """Libraries, forests and worlds made at random, for properties that must hold for all of them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from random import Random
-from typing import TypeVar
 
 from app.core.actor import Argument
 from app.core.automaton import (
@@ -34,20 +34,22 @@ from app.core.features import (
     Source,
     Statistic,
     TicksInState,
+    declaration,
 )
 from app.core.hierarchy import Hierarchy, Node
-from app.core.library import Library, NodeType, Types
+from app.core.library import Library, NodeType, Types, statistic_vocabulary
 from app.core.machine import Machine
 from app.core.tree import Branch, Forest, Leaf, Tree, TreeNode
-from app.core.vocabulary import DONE, FAILED, FINISHED, NO_ENTITY, Vocabulary
+from app.core.vocabulary import DONE, FAILED, FINISHED, NO_ENTITY, FeatureKind, Vocabulary
 from tests.samples import AGENT, GROUP, SQUAD, vocabulary
-
-T = TypeVar("T")
 
 #: Squads may have agents directly under them, so that forests can be irregular.
 TYPES = (NodeType(AGENT), NodeType(GROUP, 1, (AGENT,)), NodeType(SQUAD, 2, (GROUP, AGENT)))
-FLAGS = (DONE, FAILED, "odd")
+FLAGS = (DONE, FAILED, "thrown", "odd")
 CATEGORIES = 3
+#: Automata of a library, each of which may hold those before it.
+LEVELS = 3
+DEEPEST = 6
 
 
 class NoisySenses:
@@ -80,158 +82,185 @@ class NoisySenses:
         return NO_ENTITY if noise < 0.2 else int(50 * noise)
 
 
-def random_guard(random: Random, features: Sequence[FeatureUse]) -> Guard:
-    """None to two conditions."""
-    if not features:
-        return ()
-    chosen = random.choices(features, k=random.randrange(3))
-    return tuple(Condition(random_test(random, use), random.random() < 0.7) for use in chosen)
-
-
-def random_test(random: Random, use: FeatureUse) -> Test:
-    """A test that fits the values that a feature takes."""
-    match use.source:
-        case Sense("DistanceTo") | Statistic(_, Sense("DistanceTo")):
-            return AtMost(use.id, random.uniform(0.0, 100.0))
-        case Sense("DirectionTo"):
-            return InArc(use.id, random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0))
-        case Sense("Ground"):
-            return Equals(use.id, float(random.randrange(CATEGORIES)))
-        case TicksInState():
-            return AtMost(use.id, random.randrange(4) + 0.5)
-        case Statistic():
-            return AtMost(use.id, random.choice((0.0, 0.5, 1.0)))
-        case _:
-            return Equals(use.id, float(random.randrange(2)))
-
-
-def random_tree(
-    random: Random, labels: tuple[str, ...], features: Sequence[FeatureUse], depth: int = 3
-) -> Tree:
-    """A tree over *labels*; some of its leaves are empty."""
-
-    def grow(depth: int) -> TreeNode:
-        if depth == 0 or not features or random.random() < 0.3:
-            return Leaf(tuple(float(random.choice((0, 0, 1, 2, 5))) for _ in labels))
-        test = random_test(random, random.choice(features))
-        yes, no = grow(depth - 1), grow(depth - 1)
-        return Branch(test, yes, no, tuple(a + b for a, b in zip(yes.counts, no.counts, strict=True)))
-
-    return Tree(labels, grow(depth))
-
-
+@dataclass(slots=True)
 class Author:
-    """Writes the automata of one node type, each from the vocabulary and those before it."""
+    """Writes the library of one node type.
 
-    def __init__(self, random: Random, words: Vocabulary) -> None:
-        self._random = random
-        self._words = words
-        self.written: list[Automaton] = []
+    Attributes:
+        reach: Up to where features without a period take other values in the worlds that are meant.
+        written: What can be held by what is written next.
+    """
 
-    def write(self, number: int) -> None:
-        """Add one more automaton."""
-        random = self._random
-        parameters = ("target",) if random.random() < 0.4 else ()
-        held = [State(f"s{k}", self._content(parameters)) for k in range(random.randrange(1, 5))]
-        ids = tuple(state.id for state in held)
-        features = tuple(FeatureUse(f"f{k}", self._source(parameters)) for k in range(random.randrange(1, 5)))
-        name = f"{AGENT if self._words.level == 0 else f'level{self._words.level}'}-{number}"
+    random: Random
+    types: Types
+    type_name: str
+    reach: float = 8.0
+    written: list[Automaton] = field(default_factory=list)
+
+    @property
+    def words(self) -> Vocabulary:
+        return self.types.vocabulary(self.type_name)
+
+    def write(self, level: int) -> None:
+        """Add an automaton; the one at level 0 holds basic behaviors alone, others also those written before."""
+        random = self.random
+        parameters = random.choice(((), ("goal",), ("goal", "other"), ("goal", "other")))
+        held = [State(f"s{k}", self.content(parameters, level)) for k in range(random.randrange(2, 5))]
+        ids = (START, *(state.id for state in held))
+        features = tuple(FeatureUse(f"f{k}", self.source(parameters)) for k in range(random.randrange(2, 6)))
+        name = f"{self.type_name} {level}"
+        bare = Automaton(name, name, parameters, (State(START, Start()), *held), features)
         self.written.append(
-            Automaton(
-                name,
-                name,
-                parameters,
-                (State(START, Start()), *held),
-                features,
-                self._rules(ids, features),
-                self._learned(ids, features),
-                prunes=self._prunes(ids, features),
+            replace(
+                bare,
+                rules=self.rules(ids, features),
+                learned=self.learned(ids, features),
+                prunes=self.prunes(ids, features),
                 settings=Settings(sampling=random.choice(list(Sampling))),
             )
         )
 
-    def _content(self, parameters: tuple[str, ...]) -> Content:
-        random = self._random
-        sort = random.random()
-        if sort < 0.35 and self.written:
-            nested = random.choice(self.written)
-            return Nested(nested.id, self._bindings(nested.parameters, parameters))
-        if sort < 0.5 or not self._words.behaviors:
-            return RaiseFlag(random.choice(FLAGS))
-        known = list(self._words.behaviors.values())
-        basic = random.choice([b for b in known if "-" in b.name and random.random() < 0.7] or known)
-        return Basic(basic.name, self._bindings(basic.parameters, parameters))
+    def content(self, parameters: tuple[str, ...], level: int) -> Content:
+        random, sort = self.random, self.random.random()
+        if level > 0 and sort < 0.5:
+            nested = self.written[-1] if random.random() < 0.7 else random.choice(self.written)
+            return Nested(nested.id, self.bindings(nested.parameters, parameters))
+        if sort < 0.75 and level > 0:
+            return RaiseFlag(random.choice((DONE, DONE, DONE, *FLAGS)))
+        names = sorted(self.words.behaviors)
+        liked = [name for name in names if " " in name]  # automata of the subsidiaries
+        basic = self.words.behavior(random.choice(liked if liked and random.random() < 0.6 else names))
+        return Basic(basic.name, self.bindings(basic.parameters, parameters))
 
-    def _bindings(self, slots: tuple[str, ...], parameters: tuple[str, ...]) -> Bindings:
-        targets = [target.name for target in self._words.targets.values()]
-        choices: list[Binding] = [*map(Ground, targets), *map(Parameter, parameters)]
-        return {slot: self._random.choice(choices) for slot in slots}
+    def bindings(self, slots: Sequence[str], parameters: Sequence[str]) -> Bindings:
+        return {slot: self.binding(parameters) for slot in slots}
 
-    def _source(self, parameters: tuple[str, ...]) -> Source:
-        random, level = self._random, self._words.level
-        built_in: Source = random.choice((FlagUp(random.choice(FLAGS)), TicksInState()))
-        if level == 0:
-            return random.choice((built_in, self._sense(self._words, parameters)))
-        flag = FlagUp(random.choice((*FLAGS, FINISHED)))
-        of = random.choice((flag, flag, flag, self._sense(vocabulary(), parameters)))
-        statistic = Statistic(random.choice(list(Operation)), of, random.choice(list(Over)))
-        return random.choice((built_in, Sense("SomeoneNeedsHelp"), statistic, statistic, statistic))
+    def binding(self, parameters: Sequence[str]) -> Binding:
+        random, targets = self.random, self.words.targets
+        if parameters and random.random() < 0.6:
+            return Parameter(random.choice(parameters))
+        own = [name for name, target in targets.items() if target.level > 0]  # these differ by who binds them
+        return Ground(random.choice(own if own and random.random() < 0.7 else sorted(targets)))
 
-    def _sense(self, words: Vocabulary, parameters: tuple[str, ...]) -> Sense:
-        feature = self._random.choice([f for f in words.features.values() if f.whose == "agent"])
-        return Sense(feature.name, self._bindings(feature.parameters, parameters))
+    def source(self, parameters: tuple[str, ...]) -> Source:
+        random, controls = self.random, self.words.level > 0
+        if random.random() < (0.2 if controls else 0.4):
+            flag = FlagUp(random.choice((DONE, DONE, DONE, *FLAGS)))
+            return random.choice((flag, flag, TicksInState()))
+        if not controls or random.random() < 0.15:
+            return self.sense(self.words, parameters)
+        flag = FlagUp(random.choice((DONE, DONE, DONE, *FLAGS, FINISHED)))
+        of = random.choice((flag, self.sense(statistic_vocabulary(self.types), parameters)))
+        over = Over.AGENTS if random.random() < 0.6 else Over.SUBSIDIARIES
+        return Statistic(random.choice(list(Operation)), of, over)
 
-    def _rules(self, ids: tuple[str, ...], features: tuple[FeatureUse, ...]) -> tuple[Rule, ...]:
-        random, places = self._random, (START, *ids)
-        begin = Rule(
-            "0", START, random_guard(random, features), random.choice(ids), random.choice((0.5, 1.0))
-        )
-        others = (
+    def sense(self, declared: Vocabulary, parameters: tuple[str, ...]) -> Sense:
+        """A feature; one with targets rather than another where the automaton has parameters to bind them to."""
+        of_targets = [feature for feature in declared.features.values() if feature.parameters]
+        liked = of_targets if parameters and of_targets and self.random.random() < 0.6 else None
+        feature = self.random.choice(liked or list(declared.features.values()))
+        return Sense(feature.name, self.bindings(feature.parameters, parameters))
+
+    # --------------------------------------------------------------------------------------- transitions
+
+    def rules(self, ids: Sequence[str], features: Sequence[FeatureUse]) -> tuple[Rule, ...]:
+        random = self.random
+        begin = Rule("begin", START, (), random.choice(ids[1:]), random.choice((0.3, 1.0)))
+        several = (
             Rule(
-                str(number),
-                random.choice(places),
-                random_guard(random, features),
-                random.choice(places),
-                random.choice((0.2, 0.5, 1.0)),
+                f"r{k}",
+                random.choice(ids),
+                self.guard(features),
+                random.choice(ids),
+                random.choice((0.0, 0.1, 0.4, 1.0)),
             )
-            for number in range(1, random.randrange(1, 7))
+            for k in range(random.randrange(5))
         )
-        return (begin, *others)
+        return (*several, begin)
 
-    def _learned(self, ids: tuple[str, ...], features: tuple[FeatureUse, ...]) -> dict[str, Tree | Forest]:
-        random, learned = self._random, dict[str, Tree | Forest]()
-        for place in (START, *ids):
-            if random.random() < 0.5:
-                learned[place] = random_tree(random, ids, features)
-            elif random.random() < 0.2:
-                learned[place] = Forest(ids, tuple(random_tree(random, ids, features, 2) for _ in range(2)))
-        return learned
+    def learned(self, ids: Sequence[str], features: Sequence[FeatureUse]) -> dict[str, Tree | Forest]:
+        found: dict[str, Tree | Forest] = {}
+        labels = tuple(self.random.sample(ids, self.random.randrange(1, len(ids) + 1)))
+        for state in ids:
+            sort = self.random.random()
+            if sort < 0.5:
+                found[state] = self.tree(labels, features, self.random.randrange(DEEPEST + 1))
+            elif sort < 0.6:
+                found[state] = Forest(labels, tuple(self.tree(labels, features, 2) for _ in range(3)))
+        return found
 
-    def _prunes(self, ids: tuple[str, ...], features: tuple[FeatureUse, ...]) -> tuple[Prune, ...]:
-        random = self._random
+    def prunes(self, ids: Sequence[str], features: Sequence[FeatureUse]) -> tuple[Prune, ...]:
+        random = self.random
         return tuple(
             Prune(
-                str(number),
-                random.choice((START, *ids)),
-                random_guard(random, features),
-                frozenset({random.choice(ids)}),
+                f"p{k}",
+                random.choice(ids),
+                self.guard(features),
+                frozenset(random.sample(ids, random.randrange(1, 3))),
             )
-            for number in range(random.randrange(3))
+            for k in range(random.randrange(3))
         )
 
+    def guard(self, features: Sequence[FeatureUse]) -> Guard:
+        random = self.random
+        chosen = random.choices(features, k=random.randrange(3))
+        return tuple(Condition(self.test(use), random.random() < 0.6) for use in chosen)
 
-def random_types(random: Random, each: int = 3) -> Types:
-    """Node types with *each* random automata a type."""
-    scenario, libraries = vocabulary(), dict[str, Library]()
-    for node_type in TYPES:
-        author = Author(random, Types(TYPES, libraries, scenario).vocabulary(node_type.name))
-        for number in range(each):
-            author.write(number)
+    def tree(self, labels: tuple[str, ...], features: Sequence[FeatureUse], depth: int) -> Tree:
+        def grow(depth: int) -> TreeNode:
+            if depth == 0:
+                return Leaf(tuple(float(self.random.choice((0, 0, 1, 2, 7))) for _ in labels))
+            test = self.test(self.random.choice(features))
+            below = depth - 1
+            yes = grow(below)
+            no = grow(below if self.random.random() < 0.7 else 0)
+            return Branch(test, yes, no, tuple(a + b for a, b in zip(yes.counts, no.counts, strict=True)))
+
+        return Tree(labels, grow(depth))
+
+    def test(self, use: FeatureUse) -> Test:
+        """A test that both passes and fails in the worlds that are meant."""
+        random, source = self.random, use.source
+        words = statistic_vocabulary(self.types) if isinstance(source, Statistic) else self.words
+        declared = declaration(source, words)
+        match declared.kind:
+            case FeatureKind.BOOLEAN:
+                return Equals(use.id, float(random.randrange(2)))
+            case FeatureKind.CATEGORICAL:
+                return Equals(use.id, float(random.randrange(3)))
+            case FeatureKind.TOROIDAL:
+                half = declared.period / 2
+                return InArc(use.id, random.uniform(-half, half), random.uniform(-half, half))
+        if isinstance(source, TicksInState) or (isinstance(source, Statistic) and random.random() < 0.5):
+            return AtMost(use.id, random.choice((0.0, 0.5, 1.0, 2.0)))
+        return AtMost(use.id, random.uniform(0.0, self.reach))
+
+
+def random_types(
+    random: Random,
+    words: Vocabulary | None = None,
+    types: tuple[NodeType, ...] = TYPES,
+    *,
+    reach: float = 100.0,
+    beside: Mapping[str, Library] | None = None,
+) -> Types:
+    """Node types with automata up to three levels deep, made at random from *words* (those of `samples`).
+
+    Args:
+        reach: See `Author`.
+        beside: What each type's library holds already, and the new automata may hold.
+    """
+    scenario, libraries = vocabulary() if words is None else words, dict[str, Library]()
+    for node_type in types:
+        author = Author(random, Types(types, libraries, scenario), node_type.name, reach)
+        author.written += beside[node_type.name].automata.values() if beside else ()
+        for level in range(LEVELS):
+            author.write(level)
         libraries[node_type.name] = Library({a.id: a for a in author.written})
-    return Types(TYPES, libraries, scenario)
+    return Types(types, libraries, scenario)
 
 
-def random_forest(random: Random) -> Hierarchy:
+def random_forest(random: Random, types: tuple[NodeType, ...] = TYPES) -> Hierarchy:
     """One to three roots of any level, with agents at any depth."""
     count = 0
 
@@ -239,11 +268,11 @@ def random_forest(random: Random) -> Hierarchy:
         nonlocal count
         count += 1
         node_id = f"{node_type.name}-{count}"
-        kinds = [kind for kind in TYPES if kind.name in node_type.subsidiaries]
+        kinds = [kind for kind in types if kind.name in node_type.subsidiaries]
         children = tuple(grow(random.choice(kinds)) for _ in range(random.randrange(1, 4))) if kinds else ()
         return Node(node_id, node_type.name, children)
 
-    return Hierarchy(tuple(grow(random.choice(TYPES)) for _ in range(random.randrange(1, 4))))
+    return Hierarchy(tuple(grow(random.choice(types)) for _ in range(random.randrange(1, 4))))
 
 
 def random_machine(
@@ -254,10 +283,15 @@ def random_machine(
 ) -> Machine:
     """A machine whose roots all run something."""
     machine = make(forest, types, world_key(random.randrange(1 << 32), 0))
-    for root in forest.roots:
-        repertoire = types.repertoire(root.type)
-        name = random.choice(sorted(name for name in repertoire if "-" in name) or sorted(repertoire))
-        machine.direct(
-            root.id, name, {slot: Argument("deposit", root.id) for slot in repertoire[name].parameters}
-        )
+    direct_roots(machine, random)
     return machine
+
+
+def direct_roots(machine: Machine, random: Random) -> None:
+    """Let every root do something, most of them their most complex behavior."""
+    for root in [actor.node for actor in machine.actors.values() if actor.parent is None]:
+        repertoire = machine.types.repertoire(root.type)
+        name = f"{root.type} {LEVELS - 1}" if random.random() < 0.8 else random.choice(sorted(repertoire))
+        slots = repertoire[name].parameters
+        targets = sorted(machine.types.vocabulary(root.type).targets)
+        machine.direct(root.id, name, {slot: Argument(random.choice(targets), root.id) for slot in slots})

@@ -15,7 +15,7 @@ from app.engine.watching import watched
 from app.sim.doing import Doing
 from app.sim.kernel import KernelEngine
 from app.sim.reference import ReferenceEngine
-from tests.random_runs import Witness, compare, difference, direct_roots, everything, random_start, two_owners
+from tests.random_runs import Witness, begin, compare, difference, everything, random_start, two_owners
 
 EXAMPLES = int(os.environ.get("UNDERSTUDY_EXAMPLES", "90"))
 TICKS = 40
@@ -27,7 +27,7 @@ def pair(seed: int) -> tuple[KernelEngine, ReferenceEngine]:
     start = random_start(seed)
     found, wanted = KernelEngine(start), ReferenceEngine(start)
     for engine in (found, wanted):
-        direct_roots(engine, seed)
+        begin(engine, seed)
     return found, wanted
 
 
@@ -69,7 +69,7 @@ def test_a_run_that_moves_to_the_compiled_engine_goes_on_as_if_it_had_not(seed: 
     start = random_start(seed)
     reference, wanted = ReferenceEngine(start), ReferenceEngine(start)
     for engine in (reference, wanted):
-        direct_roots(engine, seed)
+        begin(engine, seed)
         engine.step(ticks)
     found = KernelEngine(start, over=reference)
     compare(found, wanted, 20)

@@ -10,7 +10,8 @@ from app.core.actor import Actor, Run
 from app.core.features import FeatureUse, FlagUp, Statistic, summarize
 from app.core.machine import Action, Machine, Senses, stored_classifiers
 from app.core.machine_state import MachineState, freeze, rebase, thaw
-from tests.random_automata import NoisySenses, random_forest, random_machine, random_types
+from app.core.vocabulary import FINISHED
+from tests.random_automata import FLAGS, NoisySenses, random_forest, random_machine, random_types
 
 SEEDS = st.integers(0, 1 << 32)
 EXAMPLES = 60
@@ -21,7 +22,9 @@ class PatientMachine(Machine):
 
     def begin(self) -> None:
         """Copy all flags."""
-        self._shown = {actor.node.id: {f for f in FLAGS if actor.shows(f)} for actor in self.actors.values()}
+        self._shown = {
+            actor.node.id: {f for f in (*FLAGS, FINISHED) if actor.shows(f)} for actor in self.actors.values()
+        }
         self._up = {id(run): set(run.flags) for actor in self.actors.values() for run in _runs(actor.run)}
         self._kept = [run for actor in self.actors.values() for run in _runs(actor.run)]
 
@@ -33,9 +36,6 @@ class PatientMachine(Machine):
                 below = self.below(actor, statistic)
                 return summarize(operation, [float(flag in self._shown[node.node.id]) for node in below], 0.0)
         return super().value(actor, run, use, senses)
-
-
-FLAGS = ("done", "failed", "odd", "finished")
 
 
 def _runs(run: Run | None) -> list[Run]:

@@ -8,19 +8,17 @@ from typing import Any
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.core.features import Sense
 from app.core.hierarchy import Hierarchy
 from app.core.library import Library, Types
 from app.core.machine import Action, Argument
 from app.core.machine_state import freeze
-from app.core.vocabulary import Vocabulary
 from app.sim.engine import Start
 from app.sim.geometry import wrapped
 from app.sim.reference import ReferenceEngine
 from app.sim.scenarios.foraging import scenario as foraging
 from app.sim.world import FrozenWorld
 from tests.foragers import BUSY, libraries
-from tests.random_automata import TYPES, Author, random_forest
+from tests.random_automata import random_forest, random_types
 from tests.samples import SQUAD
 
 SEEDS = st.integers(0, 1 << 32)
@@ -28,24 +26,10 @@ TICKS = st.integers(0, 50)
 EXAMPLES = settings(max_examples=120)
 
 
-class Forager(Author):
-    """Writes automata for foraging; controllers' statistics are made of its features too."""
-
-    def _sense(self, _words: Vocabulary, parameters: tuple[str, ...]) -> Sense:
-        return super()._sense(foraging.vocabulary, parameters)
-
-
-def random_types(random: Random) -> Types:
+def busy_types(random: Random) -> Types:
     """Random automata beside, and made from, those of a forager that works."""
-    made: dict[str, Library] = {}
     working = {**libraries(), SQUAD: Library()}  # squads here hold agents too, who cannot do what groups do
-    for node_type in TYPES:
-        author = Forager(random, Types(TYPES, made, foraging.vocabulary).vocabulary(node_type.name))
-        author.written += working[node_type.name].automata.values()
-        for number in range(3):
-            author.write(number)
-        made[node_type.name] = Library({a.id: a for a in author.written})
-    return Types(TYPES, made, foraging.vocabulary)
+    return random_types(random, foraging.vocabulary, reach=40.0, beside=working)
 
 
 def random_parameters(random: Random) -> dict[str, Any]:
@@ -69,7 +53,7 @@ def random_parameters(random: Random) -> dict[str, Any]:
 
 def random_start(seed: int) -> Start:
     random = Random(seed)
-    types, forest = random_types(random), random_forest(random)
+    types, forest = busy_types(random), random_forest(random)
     return Start(foraging, random_parameters(random), forest, types, seed)
 
 

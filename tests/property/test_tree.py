@@ -7,8 +7,10 @@ from hypothesis import strategies as st
 
 from app.core.conditions import guard_met
 from app.core.features import FeatureUse, FlagUp, Sense, TicksInState
+from app.core.library import Types
 from app.core.tree import Branch, Forest, Tree, flatten, unflatten
-from tests.random_automata import random_tree
+from tests.random_automata import TYPES, Author
+from tests.samples import AGENT, vocabulary
 
 SEEDS = st.integers(0, 1 << 32)
 USES = (
@@ -21,7 +23,8 @@ USES = (
 
 
 def a_tree(seed: int) -> Tree:
-    return random_tree(Random(seed), ("go", "stop", "turn"), USES, depth=6)
+    author = Author(Random(seed), Types(TYPES, {}, vocabulary()), AGENT, reach=100.0)
+    return author.tree(("go", "stop", "turn"), USES, depth=6)
 
 
 def some_values(seed: int) -> dict[str, float]:

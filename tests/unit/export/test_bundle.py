@@ -24,7 +24,8 @@ from app.learner.trainer import apply, learn
 from app.sim.scenario import Scenario
 from app.sim.scenarios.foraging import scenario as foraging
 from tests.playground import scenario as playground
-from tests.random_runs import TYPES, random_forest, random_types
+from tests.random_automata import random_forest
+from tests.random_runs import TYPES, playing_types
 
 FORAGING = load(Path(__file__).parents[3] / "projects" / "foraging")
 REFERENCE = {"engine": "reference"}
@@ -56,8 +57,8 @@ def test_an_arm_runs_from_the_file_as_from_the_project(arm: str, tmp_path: Path)
 @given(st.integers(0, 2**32))
 def test_random_hierarchies_of_random_behaviors_run_the_same_from_their_bundle(seed: int) -> None:
     random = Random(seed)
-    types = random_types(random)
-    forest = random_forest(random)
+    types = playing_types(random)
+    forest = random_forest(random, TYPES)
     names = [set(types.repertoire(root.type)) for root in forest.roots]
     top = sorted(set.intersection(*names))[seed % len(set.intersection(*names))]
     if any(types.repertoire(root.type)[top].parameters for root in forest.roots):
