@@ -7,7 +7,7 @@ from collections import OrderedDict
 from dataclasses import asdict
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QProcess, QProcessEnvironment, QTimer, Signal
 
 from .arrangement import Arrangement, Request, at_once, from_dot
 
@@ -39,6 +39,9 @@ class LayingOut(QObject):
         self._trouble = ""
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
         self._patience.timeout.connect(self._give_up)
+        application = QCoreApplication.instance()
+        if application is not None:
+            application.aboutToQuit.connect(self.close)
 
     @property
     def is_idle(self) -> bool:
