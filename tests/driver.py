@@ -10,7 +10,7 @@ from typing import Any
 
 from app.core.automaton import Automaton, Basic, Content, Nested, RaiseFlag
 from app.core.examples import Example
-from app.core.project import Project
+from app.core.project import Demonstration, Project
 from app.engine.commands import (
     Command,
     Others,
@@ -27,6 +27,7 @@ from app.engine.learning import Learner
 from app.engine.session import Session
 from app.engine.snapshots import (
     Asked,
+    Demonstrated,
     Edit,
     Event,
     Interrupted,
@@ -52,6 +53,7 @@ class Driver:
         project: The caller's, kept by applying the session's edits.
         interruptions: What the session told of things that ended by themselves.
         told: What it asked, and what was moved.
+        demonstration, obstacle: What the hand has done, as the session told it last, and why that would not do it again.
     """
 
     def __init__(
@@ -69,6 +71,8 @@ class Driver:
         self.interruptions: list[str] = []
         self.told: list[Asked | Moved] = []
         self.problems: list[str] = []
+        self.demonstration: Demonstration | None = None
+        self.obstacle = ""
         self._lesson = ("agent", "Shuttle")
         self._node = "agent-1"
 
@@ -168,6 +172,8 @@ class Driver:
                 raise AssertionError(f"refused: {message}")
             case Interrupted(message):
                 self.interruptions.append(message)
+            case Demonstrated(demonstration, obstacle):
+                self.demonstration, self.obstacle = demonstration, obstacle
             case Asked() | Moved():
                 self.told.append(event)
             case _:

@@ -54,9 +54,10 @@ class Pick:
     """One act of a demonstrator's hand: before *tick*, on *node*.
 
     Attributes:
-        act: ``pick`` a state; ``should not have left`` the state just left; ``undo`` the last pick; ``test``; or ``teach``
-            the node from this tick on (those of one tick together; the arm runs until then).
-        state: For ``pick``: the id of the state. Empty otherwise.
+        act: ``pick`` a state; ``answer`` with one, after which the node decides by itself again; ``should not have left``
+            the state just left; ``undo`` the last pick; ``test``; ``learn`` in the middle of a test; or ``teach`` the node
+            from this tick on (those of one tick together; the arm runs until then).
+        state: For ``pick`` and ``answer``: the id of the state. Empty otherwise.
     """
 
     tick: int

@@ -82,10 +82,12 @@ class Pick:
 
     Attributes:
         choice: The id of a state, or what a state is to hold; a state is added where the automaton lacks it.
+        hand_back: In a test, let the node decide by itself again after the next tick, as after the answer to a question.
     """
 
     node: str
     choice: str | Content
+    hand_back: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from ..core.actor import Actor
 from ..core.errors import SessionError, UnderstudyError
 from ..core.machine_state import rebase
+from ..core.project import Pick as DemonstratedAct
 from ..core.project import Project, Value
 from ..sim.engine import Control, Engine
 from ..sim.engines import AUTO
@@ -22,6 +23,7 @@ from .models import Models
 from .runs import Treatment, start_engine, treatment
 from .snapshots import (
     Asked,
+    Demonstrated,
     Edit,
     Event,
     Interrupted,
@@ -32,6 +34,7 @@ from .snapshots import (
     edited,
     views,
 )
+from .transcript import Transcript
 
 #: Nobody is taught, and nobody has to be told who leaves a state.
 UNOBSERVED = Control(listen=False)
@@ -82,6 +85,7 @@ class Course:
         self._answered: set[str] = set()
         self._watch: tuple[str, ...] = ()
         self._settings = settings or {}
+        self._transcript = Transcript(arm, seed, self._settings)
         self._clock = Clock()
         of = self._treat(arm, self._settings)
         self._world = LiveWorld(self._start(of, seed), of, seed)
@@ -198,6 +202,8 @@ class Course:
 
     def _enter(self, lesson: Lesson | None, waits_for: Question | None = None) -> None:
         """Begin a lesson, go on with it in another world, or let nobody be taught."""
+        if lesson is None:
+            self._transcript.leave()
         self._lesson, self._waits_for = lesson, waits_for
         self._answered.clear()
         self._close_question()
@@ -229,6 +235,20 @@ class Course:
         if self._asked is not None and self._asked.node == act.node:
             self._answered.add(act.node)
             self._close_question()
+
+    def _noted(self, lesson: Lesson, node_id: str, state: str, kind: str, *, answers: bool) -> None:
+        """Remember an act of the hand, for whoever keeps demonstrations."""
+        if answers and kind == "pick":
+            kind = "answer"
+        elif answers:
+            self._transcript.spoil("a question was answered by what should not have been left")
+        learning = self._waits_for is not None and not lesson.testing
+        self._transcript.pick(DemonstratedAct(self.tick, node_id, state, kind), learning=learning)
+        self._tell_demonstrated()
+
+    def _tell_demonstrated(self) -> None:
+        transcript = self._transcript
+        self._events.append(Demonstrated(transcript.demonstration, transcript.obstacle))
 
     # --------------------------------------------------------------------------------------- asking the user
 
@@ -333,6 +353,7 @@ class Course:
             return
         self._waits_for = None
         if answer.learned is None:
+            self._transcript.not_tested()
             self._events.append(Refused(self._asked_by, answer.problem))
             return
         self._change(Relearned(answer.learned))

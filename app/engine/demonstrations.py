@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from itertools import groupby
 
 from ..core.edits.examples import replace_examples
@@ -14,10 +15,16 @@ from ..learner.builder import LearningCancelled
 from ..learner.trainer import apply, learn
 from ..sim.engines import REFERENCE
 from ..sim.scenario import Scenario
-from .commands import Command, Others, ShouldNotHaveLeft, Teach, Test, UndoPick
+from .commands import Command, Others, ShouldNotHaveLeft, Teach, Test, UndoPick, UseProject
 from .commands import Pick as PickCommand
 from .session import Session
 from .snapshots import Refused
+
+
+@dataclass(frozen=True, slots=True)
+class Learn:
+    """Learn from the examples that there are, in the middle of a test, as the window does in the background."""
+
 
 #: Told which part of the whole is done, and what comes next.
 Progress = Callable[[float, str], None]
@@ -46,7 +53,7 @@ def play(
     return _Play(project, scenario, demonstration, passed or (lambda _: None)).project()
 
 
-def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
+def commands(demonstration: Demonstration) -> list[tuple[int, Command | Learn]]:
     """What to send before which tick.
 
     Nodes are taken into training mode by acts ``teach``, those of one tick together; a demonstration without any begins
@@ -59,7 +66,7 @@ def commands(demonstration: Demonstration) -> list[tuple[int, Command]]:
     if not any(act.act == "teach" for act in acts):
         nodes = dict.fromkeys(act.node for act in acts if act.node)
         acts = [*(Pick(0, node, act="teach") for node in nodes), *acts]
-    found: list[tuple[int, Command]] = []
+    found: list[tuple[int, Command | Learn]] = []
     for (tick, kind), group in groupby(acts, key=lambda act: (act.tick, act.act)):
         if kind == "teach":
             found.append((tick, _teach(demonstration, tuple(act.node for act in group))))
@@ -84,19 +91,23 @@ def _teach(demonstration: Demonstration, nodes: tuple[str, ...]) -> Teach:
     )
 
 
-def _command(act: Pick, demonstration: Demonstration) -> Command:
+def _command(act: Pick, demonstration: Demonstration) -> Command | Learn:
     match act.act:
         case "pick":
             return PickCommand(act.node, act.state)
+        case "answer":
+            return PickCommand(act.node, act.state, hand_back=True)
         case "should not have left":
             return ShouldNotHaveLeft(act.node)
         case "undo":
             return UndoPick()
         case "test":
             return Test()
+        case "learn":
+            return Learn()
     raise SessionError(
-        f"demonstration {demonstration.id!r}, tick {act.tick}: {act.act!r} is no act; allowed: pick, should not have left, "
-        "undo, test, teach"
+        f"demonstration {demonstration.id!r}, tick {act.tick}: {act.act!r} is no act; allowed: pick, answer, should not have "
+        "left, undo, test, learn, teach"
     )
 
 
@@ -112,6 +123,7 @@ class _Play:
     ) -> None:
         self._demonstration = demonstration
         self._passed = passed
+        self._vocabulary = scenario.vocabulary
         settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
         settings["engine"] = REFERENCE  # it steps lessons in any case, so nothing is compiled first
         with self._blaming():
@@ -122,10 +134,14 @@ class _Play:
         """The project with what the demonstration recorded."""
         for tick, command in commands(self._demonstration):
             self._until(tick)
-            self._send(command)
+            self._send(self._learned() if isinstance(command, Learn) else command)
         self._until(self._demonstration.ticks)
         self._session.close()
         return self._session.project
+
+    def _learned(self) -> Command:
+        project, where = self._session.project, where_of(self._demonstration)
+        return UseProject(apply(project, learn(project, self._vocabulary, [where])))
 
     def _send(self, command: Command) -> None:
         self._session.send(command)

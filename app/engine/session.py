@@ -5,6 +5,7 @@ same edits as events for the caller to make undoable.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import singledispatchmethod
 
 from ..core.errors import SessionError, UnderstudyError
@@ -15,6 +16,7 @@ from .commands import (
     GoTo,
     LetGo,
     MoveEntity,
+    Others,
     Pause,
     Pick,
     Play,
@@ -35,6 +37,7 @@ from .course import Course
 from .directing import direct_roots
 from .lesson import Lesson
 from .snapshots import Event, Interrupted, Mode, Snapshot, TakenBack, Watched
+from .transcript import AGAIN
 from .watching import watched
 
 
@@ -107,7 +110,7 @@ class Session(Course):
             engine=COMPILED if engine.compiled else REFERENCE,
             notice=engine.obstacle,
             failure=world.failure,
-            lesson=self._lesson.view() if self._lesson else None,
+            lesson=replace(self._lesson.view(), obstacle=self._transcript.obstacle) if self._lesson else None,
             asked=self._asked,
             going_to=self._clock.going_to,
         )
@@ -124,7 +127,9 @@ class Session(Course):
 
     @_obey.register
     def _(self, command: UseProject) -> None:
+        before = self.project
         project, lost = self._log.on_top(command.project, command.applied)
+        self._transcript.changed(before, project, self.tick, runs=self._runs_taught)
         self._use(project)
         self._reconsider()
         self._events += [Interrupted(f"what was just taught could not be kept: {why}") for why in lost]
@@ -134,6 +139,7 @@ class Session(Course):
         of = self._treat(command.arm, command.settings)
         self._begin(self._start(of, self._world.seed), of, self._world.seed, None)
         self._settings = command.settings
+        self._transcript.begin(command.arm, self._world.seed, command.settings)
 
     @_obey.register
     def _(self, command: Reset) -> None:
@@ -146,6 +152,17 @@ class Session(Course):
             if self._lesson.testing:
                 lesson.test()
         self._begin(engine, of, seed, lesson, self._waits_for)
+        self._transcribe_anew(lesson)
+
+    def _transcribe_anew(self, lesson: Lesson | None) -> None:
+        """Another world has begun; in one that begins with a lesson, others have nothing to do, unlike in a demonstration."""
+        transcript, world = self._transcript, self._world
+        transcript.begin(world.treatment.arm.name, world.seed, self._settings)
+        if lesson is not None:
+            transcript.spoil(
+                "the world was begun again in the middle of the lesson. End it, reset, and teach again"
+            )
+            transcript.teach(lesson.plan, self.tick)
 
     @_obey.register
     def _(self, _: RunArm) -> None:
@@ -155,21 +172,31 @@ class Session(Course):
     @_obey.register
     def _(self, command: Teach) -> None:
         self._enter(Lesson(self._world.engine, self._world.treatment, command))
+        self._transcript.teach(command, self.tick)
 
     @_obey.register
     def _(self, command: Pick) -> None:
-        lesson = self._taught()
-        self._do(lesson, lesson.pick(self._without_waiting(command.node), command.node, command.choice))
+        lesson, node = self._taught(), command.node
+        act = lesson.pick(self._without_waiting(node), node, command.choice)
+        hand_back = lesson.testing and (command.hand_back or self._asks_about(node))
+        self._do(lesson, act)
+        if hand_back:
+            self._answered.add(node)
+        self._noted(lesson, node, act.goal, "pick", answers=hand_back)
 
     @_obey.register
     def _(self, command: ShouldNotHaveLeft) -> None:
-        lesson = self._taught()
-        self._do(lesson, lesson.should_not_have_left(self._without_waiting(command.node), command.node))
+        lesson, node = self._taught(), command.node
+        act, asked = lesson.should_not_have_left(self._without_waiting(node), node), self._asks_about(node)
+        self._do(lesson, act)
+        self._noted(lesson, node, "", "should not have left", answers=asked)
 
     @_obey.register
     def _(self, _: UndoPick) -> None:
         self._change(TakenBack(self._taught().undo().recorded))
         self._reconsider()
+        self._transcript.undo(self.tick)
+        self._tell_demonstrated()
 
     @_obey.register
     def _(self, _: Test) -> None:
@@ -177,6 +204,7 @@ class Session(Course):
         self._asked_by = self._tickets
         self._close_question()
         self._learn()
+        self._transcript.test(self.tick)
 
     @_obey.register
     def _(self, command: AskMe) -> None:
@@ -238,8 +266,18 @@ class Session(Course):
     def _(self, command: Watch) -> None:
         self._watch = tuple(dict.fromkeys(command.nodes))
 
+    def _asks_about(self, node_id: str) -> bool:
+        return self._asked is not None and self._asked.node == node_id
+
+    @property
+    def _runs_taught(self) -> bool:
+        """Whether somebody runs what is taught, so that it matters when it is learned."""
+        lesson = self._lesson
+        return lesson is not None and (lesson.testing or lesson.plan.others is Others.RUN)
+
     def _touched(self) -> None:
         """The world was changed by hand: a journey ends here, and a question may be another."""
+        self._transcript.spoil(f"something was moved in the world. {AGAIN}")
         self._clock.stop_going()
         self._reconsider()
 

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ..core.edits.examples import Recorded, record_pick, take_back_pick
 from ..core.machine import Machine
-from ..core.project import Project
+from ..core.project import Demonstration, Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
 from ..sim.doing import BehaviorRef, Doing, Roster, StateRef
 from ..sim.engine import Columns
@@ -20,6 +20,7 @@ __all__ = [
     "Asked",
     "BehaviorRef",
     "Columns",
+    "Demonstrated",
     "Doing",
     "Edit",
     "Event",
@@ -79,6 +80,7 @@ class LessonView:
         taught: The nodes that do just what the user picks.
         acts: How many can be taken back with `UndoPick`.
         waiting: The nodes whose pick no tick has carried out yet.
+        obstacle: Why what is done cannot be kept as a demonstration, see `Demonstrated`.
     """
 
     plan: Teach
@@ -86,6 +88,7 @@ class LessonView:
     taught: frozenset[str]
     acts: int
     waiting: frozenset[str]
+    obstacle: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +189,19 @@ class Picked:
 
 
 @dataclass(frozen=True, slots=True)
+class Demonstrated:
+    """What the hand has done in the lesson so far, after it has taught something or taken it back.
+
+    Attributes:
+        demonstration: Played, it records the lesson's examples again; None if there are none.
+        obstacle: Why it would not; empty if it would.
+    """
+
+    demonstration: Demonstration | None
+    obstacle: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class TakenBack:
     """A pick was taken back, or replaced by the one after."""
 
@@ -233,7 +249,7 @@ class Moved:
 
 #: What changed the session's copy of the project, and is to change the caller's in the same way, see `edited`.
 Edit = Picked | TakenBack | Relearned
-Event = Edit | Refused | Interrupted | Asked | Moved
+Event = Edit | Refused | Interrupted | Asked | Moved | Demonstrated
 
 
 def edited(project: Project, edit: Edit) -> Project:

@@ -10,7 +10,7 @@ from ..project import Arm, Demonstration, LevelTable, Project
 from .problem import PROJECT_FILE, Problem, allowed, demonstration_file, place, twice
 
 #: What a hand can do, see `app.core.project.Pick`.
-ACTS = ("pick", "should not have left", "undo", "test", "teach")
+ACTS = ("pick", "answer", "should not have left", "undo", "test", "learn", "teach")
 #: What the nodes that are not taught can do meanwhile.
 OTHERS = ("idle", "run")
 
@@ -158,10 +158,11 @@ def _pick_problems(
         if pick.act not in ACTS:
             message = f"{pick.act!r} is nothing that a hand can do; {allowed(pick.act, ACTS)}"
             yield _error(demonstration.id, place("picks", index, "act"), message)
-        if nodes is not None and (pick.node or pick.act == "pick"):
+        picks = pick.act in ("pick", "answer")
+        if nodes is not None and (pick.node or picks):
             for message in _node_problems(demonstration, pick.node, nodes):
                 yield _error(demonstration.id, place("picks", index, "node"), message)
-        if pick.act == "pick" and automaton is not None and not automaton.has_state(pick.state):
+        if picks and automaton is not None and not automaton.has_state(pick.state):
             states = [state.id for state in automaton.states]
             message = f"{automaton.name} has no state {pick.state!r}; {allowed(pick.state, states)}"
             yield _error(demonstration.id, place("picks", index, "state"), message)

@@ -307,7 +307,7 @@ class PickRecord(Record):
     tick: Count
     node: str = ""
     state: str = ""
-    act: Literal["pick", "should not have left", "undo", "test", "teach"] = "pick"
+    act: Literal["pick", "answer", "should not have left", "undo", "test", "learn", "teach"] = "pick"
 
 
 class DemonstrationRecord(Record):

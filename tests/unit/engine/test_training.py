@@ -9,7 +9,7 @@ from app.core.edits import add_feature
 from app.core.features import FlagUp, Parameter, TicksInState
 from app.core.vocabulary import DONE
 from app.engine.commands import Others, Pick
-from app.engine.snapshots import Mode, Picked, TakenBack
+from app.engine.snapshots import Demonstrated, Mode, Picked, TakenBack
 from tests.corridor import features, project, to
 from tests.driver import Driver
 from tests.samples import automaton, nested, state
@@ -193,7 +193,7 @@ def test_a_second_pick_before_the_tick_replaces_the_first() -> None:
 def test_a_replaced_pick_is_reported_as_taken_back() -> None:
     driver = lesson().pick("up")
     driver.session.send(Pick("agent-1", "down"))
-    assert [type(event) for event in driver.session.events()] == [TakenBack, Picked]
+    assert [type(event) for event in driver.session.events()] == [TakenBack, Picked, Demonstrated]
 
 
 def test_a_replaced_pick_takes_the_state_along_that_it_added() -> None:

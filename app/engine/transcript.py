@@ -1,0 +1,160 @@
+"""What the hand does in a world as a literal demonstration, as long as playing that would record the same examples."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ..core.automaton import Automaton
+from ..core.project import Arm, Demonstration, Pick, Project, Value
+from ..learner.trainer import fingerprint
+from .commands import Teach
+
+#: What a setting of a session begins with that a demonstration has a place for.
+WORLD = "world."
+#: Others that it may have: what it is played with in any case, or what changes nothing (None: whatever it is).
+PLAIN = {"physics": "kinematic", "engine": None}
+AGAIN = "Reset the world (Ctrl+R) before the next lesson, and it can be kept"
+
+
+class Transcript:
+    """The acts of a lesson in the world that is going on.
+
+    Attributes:
+        obstacle: Why playing the acts would not do the same; empty if it would.
+    """
+
+    def __init__(self, arm: str, seed: int, settings: Mapping[str, Value]) -> None:
+        self.begin(arm, seed, settings)
+
+    def begin(self, arm: str, seed: int, settings: Mapping[str, Value]) -> None:
+        """Another world begins, in which nothing was done yet."""
+        self._arm, self._seed = arm, seed
+        self._parameters = {k.removeprefix(WORLD): v for k, v in settings.items() if k.startswith(WORLD)}
+        self._plan: Teach | None = None
+        self._over = self._edited = False
+        self._acts: list[Pick] = []
+        self._live: list[int] = []  # where the picks stand whose examples are there
+        other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
+        odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
+        self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
+
+    def spoil(self, why: str) -> None:
+        """From here on playing would not do the same."""
+        self.obstacle = self.obstacle or why
+
+    # ------------------------------------------------------------------------------------------- the acts
+
+    def teach(self, plan: Teach, tick: int) -> None:
+        """Nodes are taught from this tick on."""
+        before, self._plan = self._plan, plan
+        if before is None:
+            if self._edited and tick > 0:
+                self.spoil(f"the project was changed while the world ran. {AGAIN}")
+        elif self._over or replace(before, nodes=()) != replace(plan, nodes=()):
+            self.spoil(f"this world has been taught in before. {AGAIN}")
+            self._acts, self._live = [], []
+        self._over = False
+        acts = [Pick(tick, node, act="teach") for node in plan.nodes]
+        if self._acts and (self._acts[-1].act, self._acts[-1].tick) == ("teach", tick):
+            if self._acts[-len(acts) :] != acts:
+                self.spoil(f"others were taught at the same tick before. {AGAIN}")
+            return  # it was asked for twice
+        self._acts += acts
+
+    def test(self, tick: int) -> None:
+        """What was taught is learned and tested."""
+        self._acts.append(Pick(tick, "", act="test"))
+
+    def not_tested(self) -> None:
+        """It could not be learned."""
+        if self._acts and self._acts[-1].act == "test":
+            self._acts.pop()
+
+    def pick(self, act: Pick, *, learning: bool = False) -> None:
+        """Something was taught by a pick or the like, perhaps while a test waited for what it learns."""
+        for at in self._live:
+            if (self._acts[at].node, self._acts[at].tick) == (act.node, act.tick):
+                self._live = [
+                    other for other in self._live if other != at
+                ]  # a second pick replaces the first
+        if learning and self._acts and self._acts[-1].act == "test":
+            self._acts.insert(len(self._acts) - 1, act)  # the test has not begun yet
+            self._live.append(len(self._acts) - 2)
+        else:
+            self._acts.append(act)
+            self._live.append(len(self._acts) - 1)
+
+    def undo(self, tick: int) -> None:
+        """The last pick was taken back."""
+        self._acts.append(Pick(tick, "", act="undo"))
+        if self._live:
+            self._live.pop()
+
+    def leave(self) -> None:
+        """Nobody is taught any more."""
+        self._over = self._over or self._plan is not None
+
+    # ---------------------------------------------------------------------------------------- the project
+
+    def changed(self, old: Project, new: Project, tick: int, *, runs: bool) -> None:
+        """The project was changed from outside.
+
+        Args:
+            runs: Whether somebody runs what is taught.
+        """
+        if (old.worlds, old.types, _arm(old, self._arm)) != (new.worlds, new.types, _arm(new, self._arm)):
+            self.spoil(f"the arm was changed. {AGAIN}")
+        plan = self._plan
+        if plan is None:
+            self._edited = self._edited or old.libraries != new.libraries
+            return
+        where = plan.type, plan.automaton
+        if old.examples_of(*where) != new.examples_of(*where):
+            self.spoil("its examples were changed by hand in the middle of the lesson")
+        if old.libraries is new.libraries or old.libraries == new.libraries:
+            return
+        mine = new.library(plan.type).automata.get(plan.automaton)
+        if mine is None or _rest(old, plan) != _rest(new, plan):
+            self.spoil("behaviors were changed in the middle of the lesson")
+        elif runs and not _is_learned_from(mine, new, plan):
+            self.spoil("it was learned from something else in the middle of the lesson")
+        elif runs:
+            self._acts.append(Pick(tick, "", act="learn"))
+
+    # ------------------------------------------------------------------------------------------ the result
+
+    @property
+    def demonstration(self) -> Demonstration | None:
+        """What was done up to the last pick that stands; None if there is none."""
+        plan = self._plan
+        if plan is None or not self._live:
+            return None
+        last = self._live[-1]
+        return Demonstration(
+            plan.demonstration,
+            plan.type,
+            plan.automaton,
+            self._arm,
+            self._seed,
+            tuple(self._acts[: last + 1]),
+            self._acts[last].tick + 1,
+            self._parameters,
+            dict(plan.arguments),
+            str(plan.others),
+        )
+
+
+def _arm(project: Project, name: str) -> Arm | None:
+    return next((arm for arm in project.arms if arm.name == name), None)
+
+
+def _rest(project: Project, plan: Teach) -> object:
+    """All behaviors, without what the taught one has learned."""
+    libraries = {name: dict(library.automata) for name, library in project.libraries.items()}
+    mine = libraries[plan.type][plan.automaton]
+    libraries[plan.type][plan.automaton] = replace(mine, learned={}, learned_from="")
+    return libraries
+
+
+def _is_learned_from(automaton: Automaton, project: Project, plan: Teach) -> bool:
+    examples = project.examples_of(plan.type, plan.automaton)
+    return automaton.learned_from == fingerprint(automaton, examples)

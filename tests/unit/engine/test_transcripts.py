@@ -1,0 +1,171 @@
+"""What a hand does in a lesson can be kept as a demonstration, which records the same examples when it is played."""
+
+from dataclasses import replace
+
+import pytest
+
+from app.core.automaton import Automaton
+from app.core.edits import disable_examples, note_state, replace_examples, set_learned
+from app.core.edits.arms import replace_arm
+from app.core.project import Demonstration, Project
+from app.engine.commands import AskMe, MoveEntity, Others, Pick
+from app.engine.demonstrations import play
+from app.engine.transcript import Transcript
+from app.learner.trainer import apply, learn
+from tests.corridor import AT_END, corridor, project
+from tests.driver import Driver
+from tests.samples import AGENT, automaton, state
+
+SHUTTLE = (AGENT, "Shuttle")
+
+
+def lesson(nodes: str | tuple[str, ...] = "agent-1", **fields: object) -> Driver:
+    return Driver().teach(nodes, "Shuttle", demonstration="shuttle-1", **fields)  # type: ignore[arg-type]
+
+
+def kept(driver: Driver) -> Demonstration:
+    """What was done, which nothing keeps from being played."""
+    assert driver.obstacle == ""
+    assert driver.demonstration is not None
+    return driver.demonstration
+
+
+def played(driver: Driver, where: tuple[str, str] = SHUTTLE) -> Project:
+    """The project as it was before the lesson, with what playing its demonstration records."""
+    untaught = replace_examples(driver.project, *where, (), {})
+    untaught = set_learned(untaught, *where, {}, "")
+    return play(untaught, corridor, kept(driver))
+
+
+def check(driver: Driver, where: tuple[str, str] = SHUTTLE) -> None:
+    again = played(driver, where)
+    assert again.examples_of(*where) == driver.project.examples_of(*where)
+    assert again.moments == driver.project.moments
+
+
+def acts(driver: Driver) -> list[str]:
+    return [f"{pick.tick} {pick.act} {pick.node} {pick.state}".strip() for pick in kept(driver).picks]
+
+
+def test_picks_are_played_again() -> None:
+    driver = lesson().pick("up").advance(5).pick("down").advance(3)
+    assert acts(driver) == ["0 teach agent-1", "0 pick agent-1 up", "5 pick agent-1 down"]
+    assert kept(driver).ticks == 6  # nothing came after that
+    check(driver)
+
+
+def test_a_lesson_that_begins_while_the_arm_runs_is_played_from_the_worlds_beginning() -> None:
+    driver = Driver().advance(7).teach("agent-1", "Shuttle", Others.RUN, "shuttle-1")
+    driver.advance(2).pick("up").advance(5).pick("down")
+    assert acts(driver)[:2] == ["7 teach agent-1", "9 pick agent-1 up"]
+    assert kept(driver).others == "run"
+    check(driver)
+
+
+def test_several_are_taught_in_turn() -> None:
+    driver = lesson(("agent-1", "agent-2")).pick("up").pick("down", "agent-2").advance(3)
+    check(driver.pick("down", "agent-1"))
+
+
+def test_seed_parameters_and_arguments_are_kept() -> None:
+    driver = Driver(seed=5, length=60.0).teach("agent-1", "Seek", demonstration="seek-1", target="lamp")
+    driver.pick("Up").advance(4).pick("Down").advance()
+    made = kept(driver)
+    assert (made.seed, made.parameters, made.arguments) == (5, {"length": 60.0}, {"target": "lamp"})
+    check(driver, (AGENT, "Seek"))
+
+
+def test_a_pick_that_was_taken_back_or_replaced_leaves_the_same_examples() -> None:
+    driver = lesson().pick("up").advance(3).pick("down").advance(2).undo().advance(2)
+    assert acts(driver) == ["0 teach agent-1", "0 pick agent-1 up"]  # what came after left nothing
+    check(driver.pick("jump").pick("down").advance())
+
+
+def test_when_all_is_taken_back_there_is_nothing_to_keep() -> None:
+    driver = lesson().pick("up").advance().undo()
+    assert driver.demonstration is None
+
+
+def test_a_test_with_corrections_is_played_again() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").advance(4).test().advance(9)
+    driver.pick("jump", "agent-2").advance(3)
+    assert "8 test" in acts(driver)
+    check(driver)
+
+
+def test_should_not_have_left_is_played_again() -> None:
+    driver = Driver(project(pacer())).teach("agent-1", "Pacer", demonstration="pacer-1")
+    driver.pick("up").advance(4).pick("down").advance(3).test().advance(30)
+    driver.should_not_have_left("agent-1").advance(2)
+    check(driver, (AGENT, "Pacer"))
+
+
+def pacer() -> Automaton:
+    return automaton("Pacer", state("up", "Up"), state("down", "Down"), features=(AT_END,))
+
+
+def test_what_is_learned_in_the_background_during_a_test_is_learned_when_it_is_played() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").advance(4).test().advance(3)
+    driver.pick("jump", "agent-2").advance(2)
+    driver.edit(lambda project: apply(project, learn(project, corridor.vocabulary, [SHUTTLE])))
+    driver.advance(6).pick("up", "agent-1")
+    assert "13 learn" in acts(driver)
+    check(driver)
+
+
+def test_an_answer_is_played_as_one() -> None:
+    waver = automaton("Waver", state("up", "Up"), state("down", "Down"), features=(AT_END,))
+    driver = Driver(project(waver)).teach("agent-1", "Waver", demonstration="waver-1")
+    driver.pick("up").advance(2).pick("down").advance(2).test()
+    driver.send(AskMe(("agent-1",), 0.9, None)).advance(10)
+    assert driver.snapshot.asked is not None
+    driver.send(Pick("agent-1", "down"))
+    driver.send(AskMe()).advance(5).pick("up", "agent-1")
+    assert "5 answer agent-1 down" in acts(driver)
+    check(driver, (AGENT, "Waver"))
+
+
+def test_teaching_goes_on_after_a_test() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").advance(2).test().advance(3)
+    driver.teach("agent-2", "Shuttle", demonstration="shuttle-1").pick("down").advance(2)
+    assert acts(driver)[-2:] == ["9 teach agent-2", "9 pick agent-2 down"]
+    check(driver)
+
+
+def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
+    assert "rigid" in Transcript("alone", 1, {"physics": "rigid", "engine": "auto"}).obstacle
+    assert not Transcript("alone", 1, {"physics": "kinematic", "world.length": 5.0}).obstacle
+
+
+@pytest.mark.parametrize(
+    ("spoil", "why"),
+    [
+        (lambda d: d.send(MoveEntity(0, 40.0, 0.0)), "moved"),
+        (lambda d: d.reset(2), "begun again"),
+        (lambda d: d.edit(note_state, *SHUTTLE, "up", "a note"), "behaviors were changed"),
+        (lambda d: d.edit(disable_examples, *SHUTTLE, ["1"]), "examples were changed"),
+        (lambda d: d.edit(lambda p: replace_arm(p, "alone", replace(p.arms[0], note="x"))), "the arm was"),
+        (lambda d: d.run().teach("agent-1", "Shuttle", demonstration="shuttle-1"), "taught in before"),
+        (lambda d: d.teach("agent-1", "Seek", demonstration="s", target="lamp"), "taught in before"),
+    ],
+)
+def test_what_playing_would_not_repeat_is_said(spoil: object, why: str) -> None:
+    driver = lesson().pick("up").advance(2)
+    spoil(driver)  # type: ignore[operator]
+    choice = "Up" if driver._lesson[1] == "Seek" else "down"
+    driver.pick(choice)
+    assert why in driver.obstacle
+    lesson_view = driver.snapshot.lesson
+    assert lesson_view is not None
+    assert lesson_view.obstacle == driver.obstacle
+
+
+def test_another_world_can_be_taught_in_again() -> None:
+    driver = lesson().pick("up").advance(2).run().reset()
+    driver.teach("agent-1", "Shuttle", demonstration="shuttle-2").pick("down").advance()
+    assert kept(driver).picks[0].tick == 0
+
+
+def test_notes_on_the_project_are_no_obstacle() -> None:
+    driver = lesson().pick("up").advance(2).edit(lambda p: replace(p, note="a note")).pick("down")
+    check(driver)
