@@ -10,9 +10,10 @@ from ..engine.bench.figures import Better, Figure, Measure, document
 from ..engine.bench.machine import is_busy, machine
 from ..engine.bench.subject import Program, Subject, UnmeasurableError, subject
 from ..engine.bench.table import MEASURES
+from ..engine.cores import cores
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, INTERRUPTED
-from .places import ROOT, cores, shipped_bench, shipped_project
+from .places import ROOT, shipped_bench, shipped_project
 from .wording import counted, number, unknown
 
 PROJECT, FORAGER = "foraging", "forager"

@@ -12,10 +12,11 @@ from typing import Any
 import platformdirs
 
 from .. import __version__
+from ..engine.cores import cores
 from . import probes
 from .console import PROGRAM, progress, show, show_json, show_table
 from .exits import DONE, FELL_SHORT
-from .places import CLONE, ROOT, cores, display
+from .places import CLONE, ROOT, display
 
 SUPPORTED = ((3, 11), (3, 14))
 #: What pictures are drawn with, and what the studio's window needs on top.

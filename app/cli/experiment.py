@@ -8,6 +8,7 @@ from ..core.check import refuse
 from ..core.errors import ParameterError
 from ..editor.drawing.experiment_chart import chart_of
 from ..editor.drawing.figures import FigureError, draw
+from ..engine.cores import cores
 from ..engine.experiments.findings import Findings, findings
 from ..engine.experiments.fingerprint import fingerprint_of
 from ..engine.experiments.load import FOLDER, experiments_in, load_experiment
@@ -27,7 +28,6 @@ from ..engine.experiments.store import Results, ResultsError
 from .console import PROGRAM, progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
-from .places import cores
 from .staleness import warn_of_stale
 from .wording import counted
 

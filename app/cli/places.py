@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..engine.shipped import CLONE, PROJECTS, ROOT, shipped_folder
 
-__all__ = ["CLONE", "FIRST_PROJECT", "ROOT", "cores", "display", "shipped_bench", "shipped_project"]
+__all__ = ["CLONE", "FIRST_PROJECT", "ROOT", "display", "shipped_bench", "shipped_project"]
 
 #: The project to begin with.
 FIRST_PROJECT = "foraging"
@@ -20,11 +20,6 @@ def shipped_project(name: str) -> Path:
 def shipped_bench(name: str) -> Path:
     """The folder of a project that only `understudy bench` looks at."""
     return shipped_folder(Path("resources", "bench", name))
-
-
-def cores() -> int:
-    """How many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def display() -> str:

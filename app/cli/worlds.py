@@ -14,11 +14,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context, parent_process
 
+from ..engine.cores import cores
 from ..engine.runs import RunResult, start_engine
 from ..sim.reference import ReferenceEngine
 from .console import Advance, say
 from .exits import FELL_SHORT
-from .places import cores
 from .plans import Bench, Plan, Workshop
 
 #: Seconds between looks at how far the runs are.

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QTabWidget, QVBoxLayout, QWidget
 
+from ..forms.buttons import closing
 from .arms_page import ArmsPage
 from .types_page import TypesPage
 from .worlds_page import WorldsPage
@@ -48,14 +49,9 @@ class ArmsDialog(QDialog):
         self.tabs.setDocumentMode(True)
         for title, page in self._pages.items():
             self.tabs.addTab(page, title)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setAutoDefault(False)
-        close.setToolTip("Close; all changes are in the project already")
-        buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.addWidget(self.tabs, 1)
-        column.addWidget(buttons)
+        column.addWidget(closing(self))
         self.resize(720, 520)
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)

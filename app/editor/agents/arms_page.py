@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLineEdit,
-    QPushButton,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -22,6 +21,7 @@ from ...core.edits.calls import root_types
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
 from ...core.project import Arm, LevelTable, Value
+from ..forms.buttons import text_button
 from ..forms.choosing import Choice, Chooser
 from ..forms.parameter_form import ParameterForm
 from ..forms.parts import Complaint, Item, OrderedList
@@ -54,9 +54,9 @@ class ArmsPage(QWidget):
         self.arms.moved.connect(lambda name, to: self._do(move_arm, name, to))
         self.arms.removed.connect(lambda name: self._do(delete_arm, name))
         self.arms.renamed.connect(self._rename)
-        self.add = _button("Add arm", "A new arm: ten agents of the first type", self._add)
-        self.copy = _button("Duplicate", "A copy of the arm that is chosen", self._copy)
-        self.use = _button("Show its world", "Begin this arm's world in the canvas", self._use)
+        self.add = text_button("Add arm", "A new arm: ten agents of the first type", self._add)
+        self.copy = text_button("Duplicate", "A copy of the arm that is chosen", self._copy)
+        self.use = text_button("Show its world", "Begin this arm's world in the canvas", self._use)
         self.top = Chooser("What the roots start with", "what the roots start with")
         self.top.chosen.connect(self._top_chosen)
         self.world = QComboBox()
@@ -160,13 +160,7 @@ class ArmsPage(QWidget):
     # ----------------------------------------------------------------------------------------- changing
 
     def _do(self, edit: Callable[..., Any], *args: Any, gesture: str = "") -> bool:
-        try:
-            self._studio.document.do(edit, *args, gesture=gesture)
-        except UnderstudyError as error:
-            self.trouble.say(str(error))
-            return False
-        self.trouble.say("")
-        return True
+        return self.trouble.attempt(self._studio.document, edit, *args, gesture=gesture)
 
     def _change(self, gesture: str = "", **fields: object) -> None:
         arm = self._arm
@@ -230,11 +224,3 @@ class ArmsPage(QWidget):
             self._show_chosen()
             return
         self._change(gesture=f"{name} of arm {arm.name}", parameters=parameters)
-
-
-def _button(text: str, tip: str, do: Callable[[], None]) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(tip)
-    button.setAutoDefault(False)
-    button.clicked.connect(lambda _=False: do())
-    return button

@@ -6,13 +6,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QPushButton, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QSpinBox, QVBoxLayout, QWidget
 
 from ...core.errors import HierarchyError
 from ...core.hierarchy import Hierarchy, Node, from_table, problems
 from ...core.library import NodeType
 from ...core.project import LevelTable
+from ..forms.buttons import text_button
 from ..forms.parts import Complaint, caption
+from ..number_box import roomy
 
 if TYPE_CHECKING:
     from ..theme import Theme
@@ -45,9 +47,9 @@ class LevelTableForm(QWidget):
         self.trouble = Complaint(theme)
         self._grid = QGridLayout()
         self._grid.setColumnStretch(2, 1)
-        self.above = _button("Add a level", "Another level of controllers above the roots", self._grow)
-        self.below = _button("Take a level away", "The roots' level goes", self._shrink)
-        self.use = _button("Make this forest", "Put this forest in the place of the arm's own", self._use)
+        self.above = text_button("Add a level", "Another level of controllers above the roots", self._grow)
+        self.below = text_button("Take a level away", "The roots' level goes", self._shrink)
+        self.use = text_button("Make this forest", "Put this forest in the place of the arm's own", self._use)
         row = QHBoxLayout()
         for button in (self.above, self.below, self.use):
             row.addWidget(button)
@@ -101,7 +103,7 @@ class LevelTableForm(QWidget):
         self._changed()
 
     def _size(self, level: int, size: int) -> QSpinBox:
-        box = QSpinBox()
+        box = roomy(QSpinBox())
         box.setRange(1, MOST_AGENTS)
         box.setValue(size)
         box.setAccessibleName(f"Nodes on level {level + 1} from above")
@@ -173,11 +175,3 @@ def as_table(forest: Hierarchy) -> LevelTable | None:
         groups = [node.children for node in nodes if node.children]
         nodes = tuple(node for group in groups for node in group)
     return LevelTable(tuple(sizes), tuple(types)) if sizes else None
-
-
-def _button(text: str, tip: str, do: object) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(tip)
-    button.setAutoDefault(False)
-    button.clicked.connect(do)
-    return button

@@ -6,6 +6,8 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QTreeView
 
+from ..context_menus import menu_place
+
 #: Alt with an arrow moves the selected nodes.
 ARROWS = {
     Qt.Key.Key_Up: "node.up",
@@ -67,8 +69,4 @@ class AgentTree(QTreeView):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """By the right button or the menu key."""
-        if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            rect = self.visualRect(self.currentIndex())
-            self.menu_wanted.emit(self.viewport().mapToGlobal(rect.bottomLeft()))
-        else:
-            self.menu_wanted.emit(event.globalPos())
+        self.menu_wanted.emit(menu_place(self, event))

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from ...core.edits import add_type, delete_type, rename_type, set_subsidiaries
-from ...core.errors import UnderstudyError
 from ...core.library import NodeType
 from ...core.naming import fresh_name
 from ..forms.parts import Complaint, Item, OrderedList, caption, framed
@@ -135,10 +134,4 @@ class TypesPage(QWidget):
             self.types.choose(new.strip())
 
     def _do(self, edit: Callable[..., Any], *args: Any) -> bool:
-        try:
-            self._studio.document.do(edit, *args)
-        except UnderstudyError as error:
-            self.trouble.say(str(error))
-            return False
-        self.trouble.say("")
-        return True
+        return self.trouble.attempt(self._studio.document, edit, *args)

@@ -82,13 +82,7 @@ class WorldsPage(QWidget):
         self.parameters.show_parameters(fields, worlds.get(self._name, {}), elsewhere)
 
     def _do(self, edit: Callable[..., Any], *args: Any, gesture: str = "") -> bool:
-        try:
-            self._studio.document.do(edit, *args, gesture=gesture)
-        except UnderstudyError as error:
-            self.trouble.say(str(error))
-            return False
-        self.trouble.say("")
-        return True
+        return self.trouble.attempt(self._studio.document, edit, *args, gesture=gesture)
 
     def _add(self) -> None:
         name = fresh_name(self._studio.document.project.worlds, "world")

@@ -1,4 +1,4 @@
-"""Letting the user choose a folder with the system's own dialog."""
+"""Letting the user choose a folder or a file."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -15,3 +15,29 @@ def choose_folder(window: QWidget, title: str, beside: Path, then: Callable[[Pat
     dialog.finished.connect(dialog.deleteLater)
     dialog.open()
     return dialog
+
+
+def choose_file(
+    window: QWidget, title: str, proposed: Path, kinds: str, then: Callable[[Path], object]
+) -> QFileDialog:
+    """Ask for a file to write; *then* is given it.
+
+    Args:
+        kinds: What it may be, as `QFileDialog` wants it: "SVG (*.svg);;PNG (*.png)".
+    """
+    dialog = QFileDialog(window, title, str(proposed.parent), kinds)
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    dialog.setDefaultSuffix(_ending(kinds.split(";;", maxsplit=1)[0]))
+    dialog.setOption(
+        QFileDialog.Option.DontUseNativeDialog
+    )  # the system's own may not add what the name ends with
+    dialog.selectFile(proposed.name)
+    dialog.filterSelected.connect(lambda kind: dialog.setDefaultSuffix(_ending(kind)))
+    dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.open()
+    return dialog
+
+
+def _ending(kind: str) -> str:
+    return kind.rsplit("*.", maxsplit=1)[-1].rstrip(")")

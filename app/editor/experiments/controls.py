@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSpinBox, QVBoxLayout, QWidget
 
+from ...engine.cores import cores
 from ...engine.experiments.laboratory import Look, Stage
 from ...engine.experiments.plan import SEEDS_A_CELL
+from ..forms.buttons import text_button
 from ..forms.parts import caption
 from ..icons import icon
-from .buttons import text_button
-from .running import Running, cores
+from ..number_box import roomy
+from .running import Running
 from .standing import words_of
 
 if TYPE_CHECKING:
@@ -107,7 +109,7 @@ class Controls(QWidget):
 
 
 def _number(tip: str, low: int, high: int) -> QSpinBox:
-    box = QSpinBox()
+    box = roomy(QSpinBox())
     box.setRange(low, min(high, 2**31 - 1))
     box.setToolTip(tip)
     box.setAccessibleName(tip)

@@ -7,16 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QFileDialog
-
 from ...core.errors import StorageError, UnderstudyError
 from ...engine.experiments.data import curves_csv, runs_csv
 from ...engine.experiments.fingerprint import fingerprint_of
 from ...engine.experiments.report import Files, markdown
 from ...engine.experiments.store import Results
+from ..documents.choosing import choose_file
 from ..drawing.curve_painting import painted
 from ..drawing.experiment_chart import chart_of
-from .buttons import text_button
+from ..forms.buttons import text_button
 
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings
@@ -62,14 +61,7 @@ class Exporting:
         study = self._window.study
         if study is None:
             return
-        dialog = QFileDialog(self._window, title, str(study.folder), kinds)
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setDefaultSuffix(ending)
-        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
-        dialog.selectFile(f"{study.path.stem}.{ending}")
-        dialog.filterSelected.connect(lambda kind: dialog.setDefaultSuffix(kind.split("*.")[-1].rstrip(")")))
-        dialog.fileSelected.connect(lambda chosen: write(Path(chosen)))
-        dialog.open()
+        choose_file(self._window, title, study.folder / f"{study.path.stem}.{ending}", kinds, write)
 
     # -------------------------------------------------------------------------------------------- writing
 

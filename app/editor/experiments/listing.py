@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QVBoxLa
 from ...core.errors import UnderstudyError
 from ...engine.experiments.keeping import delete_experiment
 from ..documents.asking import Answer, Question
+from ..forms.buttons import text_button
 from ..icons import icon
 from .builder import ExperimentBuilder
-from .buttons import text_button
 
 if TYPE_CHECKING:
     from .window import ExperimentsWindow

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ...engine.experiments.laboratory import Laboratory, Look, Stage
@@ -80,8 +78,3 @@ class Running(QObject):
             self.changed.emit()
         if look.is_over:
             self._timer.stop()
-
-
-def cores() -> int:
-    """How many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

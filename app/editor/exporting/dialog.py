@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLineEdit,
@@ -30,6 +29,7 @@ from ...export.library_file import FILE_ENDING, Exported, write
 from ...sim.scenario import Scenario
 from ..actions import ActionRow, when_open
 from ..documents.background import Background
+from ..documents.choosing import choose_file
 from ..forms.parts import Complaint, caption
 from ..selection import BehaviorKey
 
@@ -150,13 +150,8 @@ class ExportDialog(QDialog):
         return Path.home() if project is None else project.parent
 
     def _browse(self) -> None:
-        dialog = QFileDialog(self, "Export to", str(Path(self.path.text()).parent), "JSON (*.json)")
-        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        dialog.setDefaultSuffix("json")
-        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
-        dialog.selectFile(Path(self.path.text()).name)
-        dialog.fileSelected.connect(self.path.setText)
-        dialog.open()
+        proposed = Path(self.path.text())
+        choose_file(self, "Export to", proposed, "JSON (*.json)", lambda path: self.path.setText(str(path)))
 
     # ------------------------------------------------------------------------------------------- exporting
 

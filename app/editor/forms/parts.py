@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette
@@ -22,11 +22,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ...core.errors import UnderstudyError
 from ...core.features import Binding, Ground, Parameter
 from ...core.vocabulary import Target
 from ..icons import icon
 
 if TYPE_CHECKING:
+    from ..document import Document
     from ..theme import Theme
 
 KEY = int(Qt.ItemDataRole.UserRole)
@@ -69,6 +71,16 @@ class Complaint(QLabel):
         """Show a message; an empty one shows nothing."""
         self.setText(message[:1].upper() + message[1:])
         self.setVisible(bool(message))
+
+    def attempt(self, document: Document, edit: Callable[..., Any], *args: Any, gesture: str = "") -> bool:
+        """Edit the project; why an edit is refused is said here. Returns whether it was possible."""
+        try:
+            document.do(edit, *args, gesture=gesture)
+        except UnderstudyError as error:
+            self.say(str(error))
+            return False
+        self.say("")
+        return True
 
     def _dress(self) -> None:
         self.setStyleSheet(f"color: {self._theme.palette.teach};")

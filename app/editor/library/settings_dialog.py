@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QTabWidget, QVBoxLayout, QWidget
 
+from ..forms.buttons import closing
 from ..selection import BehaviorKey
 from .editing import LiveEditing
 from .features_page import FeaturesPage
@@ -73,15 +74,10 @@ class BehaviorDialog(QDialog):
             self.tabs.addTab(page, title)
         self.gone = QLabel("This behavior is gone; undo brings it back.")
         self.gone.setProperty("role", "empty")
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setAutoDefault(False)
-        close.setToolTip("Close; all changes are in the project already")
-        buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.addWidget(self.tabs, 1)
         column.addWidget(self.gone)
-        column.addWidget(buttons)
+        column.addWidget(closing(self))
         self.resize(620, 460)
         self._editing.changed.connect(self._refresh)
         studio.opened.connect(self.close)

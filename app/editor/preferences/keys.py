@@ -12,12 +12,13 @@ from PySide6.QtWidgets import (
     QKeySequenceEdit,
     QLabel,
     QLineEdit,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
+
+from ..forms.buttons import text_button
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -51,9 +52,9 @@ class KeysPage(QWidget):
         self.edit.setAccessibleName("Shortcut")
         self.edit.setToolTip("Click here and press the keys that the action is to have")
         self.edit.editingFinished.connect(self._take)
-        self.none = self._button("No keys", "Let the action have no shortcut", lambda: self._set(""))
-        self.reset = self._button("Standard", "Give the action its own shortcut back", self._reset)
-        self.reset_all = self._button(
+        self.none = text_button("No keys", "Let the action have no shortcut", lambda: self._set(""))
+        self.reset = text_button("Standard", "Give the action its own shortcut back", self._reset)
+        self.reset_all = text_button(
             "Reset all", "Give all actions their own shortcuts back", self._reset_all
         )
         self.conflict = QLabel()
@@ -80,13 +81,6 @@ class KeysPage(QWidget):
         head.setHighlightSections(False)
         table.currentCellChanged.connect(self._selected)
         return table
-
-    def _button(self, text: str, tip: str, act: object) -> QPushButton:
-        button = QPushButton(text)
-        button.setAutoDefault(False)
-        button.setToolTip(tip)
-        button.clicked.connect(act)
-        return button
 
     def _build(self) -> None:
         row = QHBoxLayout()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTr
 from ...core.check.fixes import Fix
 from ...core.errors import UnderstudyError
 from ..actions import ActionRow
+from ..context_menus import menu_place
 from ..selection import BehaviorKey
 from .findings import Finding, Findings
 from .model import FIX, PLACE, WHAT, ProblemsModel
@@ -219,11 +220,7 @@ class ProblemList(QTreeView):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """By the right button or the menu key."""
-        if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            rect = self.visualRect(self.currentIndex())
-            self.menu_wanted.emit(self.viewport().mapToGlobal(rect.bottomLeft()))
-        else:
-            self.menu_wanted.emit(event.globalPos())
+        self.menu_wanted.emit(menu_place(self, event))
 
 
 def problem_rows(panel: ProblemsPanel) -> tuple[ActionRow, ...]:
