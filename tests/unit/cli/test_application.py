@@ -69,7 +69,7 @@ def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) 
     ("arguments", "said"),
     [
         (["rum"], "did you mean 'run'?"),
-        (["run"], "Missing argument 'PROJECT'"),
+        (["run"], "Missing argument 'PROJECT|FILE.json'"),
         (["run", "x", "--runs", "0"], "'--runs': it must be 1 or more, but it is 0"),
         (["run", "x", "--ticks", "-1"], "'--ticks': it must be 1 or more, but it is -1"),
         (["run", "x", "--jobs", "0"], "'--jobs': it must be 1 or more, but it is 0"),

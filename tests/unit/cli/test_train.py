@@ -158,8 +158,8 @@ def test_one_changed_byte_is_a_difference(homing: Path, capsys: pytest.CaptureFi
 
 def test_files_that_are_not_of_the_project_s_making_are_not_compared(homing: Path) -> None:
     (homing / "README.md").write_text("what this is")
-    (homing / "layouts").mkdir()
-    (homing / "layouts" / "window.json").write_text("{}")
+    (homing / "results").mkdir()
+    (homing / "results" / "notes.json").write_text("{}")
     assert differences(load(homing), homing) == ()
 
 
