@@ -34,15 +34,18 @@ class IdlePage(QWidget):
             "The examples of a lesson are kept together under this name; the panel Examples can show them alone"
         )
         self.filed.setAccessibleName("Name of the demonstration")
-        self.filed.setFixedWidth(150)
+        self.filed.setFixedWidth(120)
         self.filed.editingFinished.connect(self._file)
         filed = QLabel("demonstration")
         filed.setProperty("role", "caption")
         first, second = QHBoxLayout(), QHBoxLayout()
-        for widget, stretch in ((self.words, 1), (filed, 0), (self.filed, 0), (self.teach, 0)):
-            first.addWidget(widget, stretch)
+        first.setSpacing(16)
+        first.addWidget(self.words, 1)
+        first.addWidget(self.teach, 0, Qt.AlignmentFlag.AlignTop)
         second.addWidget(self.targets)
         second.addStretch(1)
+        for widget in (filed, self.filed):
+            second.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(8)

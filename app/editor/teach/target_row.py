@@ -89,7 +89,9 @@ class TargetRow(QWidget):
             told.setProperty("role", "caption")
             self._layout.addWidget(told)
             return
-        click = self._flat("or click it in the world", f"Choose what {slot} is by a click on it")
+        only = len(self._choosing.slots) == 1  # several stand beside each other, in few words
+        click = self._flat("or click it in the world" * only, f"Choose what {slot} is by a click on it")
+        click.setAccessibleName(f"Click what {slot} is")
         click.setIcon(icon("crosshairs-gps", self._studio.theme, "dim"))
         click.clicked.connect(lambda: self._choosing.ask_for(slot))
         self.clicks[slot] = click
