@@ -35,3 +35,5 @@ def dress(plot: Any, theme: Theme) -> None:
     legend = plot.getPlotItem().legend
     if legend is not None:
         legend.setLabelTextColor(theme.color("text"))
+        for _, label in legend.items:
+            label.setText(label.text, color=theme.color("text"))

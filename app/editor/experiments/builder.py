@@ -96,6 +96,7 @@ class ExperimentBuilder(QDialog):
     def _make_fields(self, base: Experiment | None, *, copied: bool) -> None:
         title = "" if base is None else f"{base.title} (copy)" if copied else base.title
         self.title = QLineEdit(title)
+        self.title.setCursorPosition(0)
         self.title.setPlaceholderText("What it compares, in a line")
         self.name = QLineEdit(self._old_name)
         self.name.setPlaceholderText("made from the title")
@@ -271,6 +272,7 @@ def _table(head: Sequence[str]) -> QTableWidget:
     table.verticalHeader().hide()
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     table.verticalHeader().setDefaultSectionSize(32)
     return table
 

@@ -8,7 +8,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
 from ..plotting import dress, quiet_plot
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings, Summary
     from ..theme import Theme
 
+EMPTY = "Nothing has been run yet. Run (F5) draws the curves while the runs go on."
 BAND_ALPHA = 46
 DASHES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 #: More cells than this cannot be told apart in one plot; the first are drawn.
@@ -36,9 +37,13 @@ class CurvesView(QWidget):
         self._legend = self.plot.addLegend(offset=(10, 8), labelTextSize="9pt")
         self._items: list[tuple[Any, Any, Any]] = []  # line, lower edge, upper edge
         self.names: list[str] = []
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.plot)
+        empty = QLabel(EMPTY)
+        empty.setProperty("role", "empty")
+        empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        empty.setWordWrap(True)
+        self._pages = QStackedLayout(self)
+        self._pages.addWidget(empty)
+        self._pages.addWidget(self.plot)
         theme.changed.connect(self._dress)
         self._dress()
 
@@ -48,6 +53,7 @@ class CurvesView(QWidget):
         names = [summary.cell.name for summary in drawn]
         if names != self.names:
             self._begin(names)
+        self._pages.setCurrentIndex(1 if names else 0)
         if found is None or measure not in found.curves:
             self._begin([])
             return

@@ -12,6 +12,8 @@ Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 #: Pixels that a column takes at most by itself.
 WIDEST = 420
+#: And at least, where room is short.
+NARROWEST = 160
 
 
 class TextTable(QAbstractTableModel):
@@ -105,3 +107,13 @@ def _fit(view: QTableView, *, grow: bool = False) -> None:
     for column, width in enumerate(before):
         fitted = min(WIDEST, view.columnWidth(column) + 12)
         view.setColumnWidth(column, max(fitted, width) if grow else fitted)
+    _narrow(view)
+
+
+def _narrow(view: QTableView) -> None:
+    """What does not fit in is taken from the widest column, whose words are in its tool tips as well."""
+    widths = [view.columnWidth(column) for column in range(view.model().columnCount())]
+    over = sum(widths) - view.viewport().width()
+    if over > 0 and widths and view.isVisible():
+        widest = widths.index(max(widths))
+        view.setColumnWidth(widest, max(NARROWEST, widths[widest] - over))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ..plotting import dress, quiet_plot
 
@@ -20,19 +21,35 @@ if TYPE_CHECKING:
     from .series import LineKey
 
 
+#: How a line looks in the legend.
+_STROKES = {
+    Qt.PenStyle.SolidLine: "━━",
+    Qt.PenStyle.DashLine: "╍╍",
+    Qt.PenStyle.DotLine: "┅┅",
+    Qt.PenStyle.DashDotLine: "━╍",
+    Qt.PenStyle.DashDotDotLine: "━┅",
+}
+
+
 class LinesView(QWidget):
     """A plot of lines.
 
     Attributes:
         curves: Those that are drawn, by key.
+        legend: What the lines are; beside the plot rather than in it, where it would hide them.
     """
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
         self._plot = quiet_plot("plot over time")
-        self._legend = self._plot.addLegend(offset=(-8, 8), labelTextSize="8pt")
         self.curves: dict[LineKey, Any] = {}
+        self._entries: dict[LineKey, str] = {}
+        self.legend = QLabel()
+        self.legend.setProperty("role", "caption")
+        self.legend.setTextFormat(Qt.TextFormat.RichText)
+        self.legend.setAccessibleName("legend")
+        self.legend.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._plot)
@@ -43,15 +60,25 @@ class LinesView(QWidget):
         """Draw no lines but these any more."""
         for key in [key for key in self.curves if key not in keys]:
             self._plot.removeItem(self.curves.pop(key))
+            self._entries.pop(key, None)
+        self._show_legend()
 
     def clear(self) -> None:
         """Draw nothing."""
         self.keep(())
-        self._legend.clear()
 
     def begin(self, key: LineKey, name: str, color: QColor, style: Qt.PenStyle) -> None:
         """Draw one more line, empty at first."""
-        self.curves[key] = self._plot.plot(pen=pg.mkPen(color, width=2, style=style), name=name)
+        self.curves[key] = self._plot.plot(pen=pg.mkPen(color, width=2, style=style))
+        stroke = f'<span style="color: {color.name()}">{_STROKES[style]}</span>'
+        self._entries[key] = f"{stroke}&nbsp;{escape(name).replace(' ', '&nbsp;')}"
+        self._show_legend()
+
+    def _show_legend(self) -> None:
+        words = " &nbsp; ".join(self._entries.values())
+        if words != self.legend.text():
+            self.legend.setText(words)
+            self.legend.setToolTip(words)
 
     def draw(self, key: LineKey, ticks: NDArray[np.float64], values: NDArray[np.float64]) -> None:
         """Give a line its points."""

@@ -73,13 +73,14 @@ class PlotsPanel(QWidget):
     def _lay_out(self) -> None:
         full, bar = QWidget(), QHBoxLayout()
         bar.setContentsMargins(8, 4, 8, 4)
+        bar.setSpacing(8)
         bar.addWidget(self.what)
         bar.addWidget(self.whom)
         self.clear_button = QPushButton("Clear")
         self.clear_button.setToolTip("Forget the curves so far; the world goes on")
         self.clear_button.clicked.connect(self.clear)
         bar.addWidget(self.clear_button)
-        bar.addStretch(1)
+        self._bar = bar
         column = QVBoxLayout(full)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -187,6 +188,7 @@ class PlotsPanel(QWidget):
             from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
 
             self.view = LinesView(self._studio.theme)
+            self._bar.addWidget(self.view.legend, 1)
             self._room.addWidget(self.view, 1)
         return self.view
 
