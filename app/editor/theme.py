@@ -175,6 +175,7 @@ QToolButton::menu-indicator {{ image: url("{arrow.format("down")}"); width: 10px
     subcontrol-position: right center; right: 5px; }}
 QTreeView::branch:has-children:closed {{ image: url("{arrow.format("right")}"); }}
 QTreeView::branch:has-children:open {{ image: url("{arrow.format("down")}"); }}
+QAbstractScrollArea::corner {{ background: transparent; border: none; }}
 QScrollBar:vertical {{ background: transparent; width: 10px; margin: 0; }}
 QScrollBar:horizontal {{ background: transparent; height: 10px; margin: 0; }}
 QScrollBar::handle {{ background: {handle}; border-radius: 3px; margin: 2px; }}

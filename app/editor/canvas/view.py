@@ -356,7 +356,7 @@ class WorldCanvas(Surface):
             if banner.notice is not None:
                 banner.fit_into(max(width - 2 * (SIDE + 2 * EDGE), 160))
                 banner.move((width - banner.width()) // 2, top)
-                top += banner.height() + 6
+                top += banner.height() + 8
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The camera keeps the middle, or the whole world."""

@@ -114,7 +114,7 @@ class FilterBar(QWidget):
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.addItem(caption[:1].upper() + caption[1:], None)  # that filters nothing: as the column is called
         box.activated.connect(lambda _: self.changed.emit())
-        layout.addWidget(box, 2)
+        layout.addWidget(box, len(caption) + 5)  # longer captions get more of what room there is
         return box
 
 

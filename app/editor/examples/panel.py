@@ -102,7 +102,7 @@ class ExamplesPanel(QWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         for column, width in _WIDTHS.items():
             table.setColumnWidth(column, width)
-        header.moveSection(Column.VERDICT, Column.NODE)  # what is seen without scrolling, the narrow window's too
+        header.moveSection(Column.VERDICT, Column.NODE)  # seen without scrolling
         header.setSectionResizeMode(Column.WORDS, QHeaderView.ResizeMode.Stretch)
         table.setItemDelegateForColumn(Column.LABEL, LabelDelegate(self.model, table))
         table.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(table))

@@ -46,6 +46,7 @@ class InspectorPanel(QWidget):
         self._empty.setContentsMargins(16, 8, 16, 8)
         self.text = QTextBrowser()
         self.text.setOpenLinks(False)
+        self.text.document().setDocumentMargin(10)
         self.text.setAccessibleName("why")
         self.text.anchorClicked.connect(self._follow)
         self._pages = QStackedLayout(self)

@@ -76,7 +76,7 @@ class ReplaceDialog(QDialog):
         column.setSpacing(8)
         for part in (words, listed, self.chooser, buttons):
             column.addWidget(part)
-        self.resize(420, 260)
+        self.resize(520, 280)
 
     def _choices(self) -> list[Choice]:
         document, of = self._studio.document, self._behavior

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 Area = Qt.DockWidgetArea
-#: Pixels that the left and right columns get at first.
-LEFT, RIGHT = 252, 372
+#: Pixels that the left and right columns get at first, and more of a window wider than so many.
+LEFT, RIGHT, WIDTH = 252, 372, 1440
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,14 +55,14 @@ DOCKS: tuple[DockRow, ...] = (
     DockRow(
         "agents", "Agents", AgentsPanel, Area.LeftDockWidgetArea, under="library", keys="Alt+2", height=270
     ),
-    DockRow("graph", "Automaton", GraphPanel, Area.RightDockWidgetArea, keys="Alt+3", height=320),
+    DockRow("graph", "Automaton", GraphPanel, Area.RightDockWidgetArea, keys="Alt+3", height=300),
     DockRow(
-        "tree", "Decision tree", TreePanel, Area.RightDockWidgetArea, under="graph", keys="Alt+4", height=220
+        "tree", "Decision tree", TreePanel, Area.RightDockWidgetArea, under="graph", keys="Alt+4", height=250
     ),
     DockRow(
-        "inspector", "Why", InspectorPanel, Area.RightDockWidgetArea, under="tree", keys="Alt+5", height=170
+        "inspector", "Why", InspectorPanel, Area.RightDockWidgetArea, under="tree", keys="Alt+5", height=160
     ),
-    DockRow("teach", "Teach", TeachPanel, Area.BottomDockWidgetArea, keys="Alt+6", height=104),
+    DockRow("teach", "Teach", TeachPanel, Area.BottomDockWidgetArea, keys="Alt+6", height=112),
     DockRow(
         "examples",
         "Examples",
@@ -140,4 +140,6 @@ def size_docks(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
     sized = [row for row in DOCKS if row.height]
     heights = [row.height for row in sized]
     window.resizeDocks([docks[row.id] for row in sized], heights, Qt.Orientation.Vertical)
-    window.resizeDocks([docks["library"], docks["graph"]], [LEFT, RIGHT], Qt.Orientation.Horizontal)
+    more = max(0, window.width() - WIDTH)
+    columns = [LEFT + more // 10, RIGHT + more // 4]
+    window.resizeDocks([docks["library"], docks["graph"]], columns, Qt.Orientation.Horizontal)
