@@ -128,10 +128,20 @@ def mixed(color: str, ground: str, share: float) -> QColor:
     )
 
 
+def chosen_ground(colors: Palette) -> QColor:
+    """What lies under a row that is chosen: seen at a glance, dim text on it can still be read."""
+    return mixed(colors.accent, colors.panel, 0.86)
+
+
+def hovered_ground(colors: Palette) -> QColor:
+    """What lies under a row that the mouse is on."""
+    return mixed(colors.accent, colors.panel, 0.94)
+
+
 def style_sheet(colors: Palette) -> str:
     """What a palette cannot say: hairlines instead of frames, rounded controls, flat tool bars."""
     hover = mixed(colors.accent, colors.raised, 0.86).name()
-    chosen = mixed(colors.accent, colors.panel, 0.78).name()
+    chosen = chosen_ground(colors).name()
     handle = mixed(colors.dim, colors.panel, 0.6).name()
     off = mixed(colors.dim, colors.panel, 0.45).name()
     check = f"{shipped_folder(ARROWS).as_posix()}/check-{'light' if colors is LIGHT else 'dark'}.svg"
@@ -158,7 +168,8 @@ QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSp
     border-color: {colors.accent}; }}
 QPushButton:checked, QToolButton:checked {{ background: {chosen}; border-color: {colors.accent}; }}
 QPushButton:disabled, QToolButton:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled {{ background: {colors.panel}; }}
-QSplitter::handle {{ background: {colors.hairline}; }}
+QSplitter::handle:horizontal {{ background: {colors.hairline}; width: 5px; margin: 0 2px; }}
+QSplitter::handle:vertical {{ background: {colors.hairline}; height: 5px; margin: 2px 0; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {hover}; }}
 QComboBox QAbstractItemView, #completions {{ background: {colors.raised}; border: 1px solid {colors.hairline}; }}

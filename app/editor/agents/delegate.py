@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from ...core.hierarchy import Node
 from ...engine.snapshots import BehaviorRef
-from ..theme import CAPTION, mixed, text_font
+from ..theme import CAPTION, chosen_ground, hovered_ground, text_font
 from .forest_model import NODE
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class NodeDelegate(QStyledItemDelegate):
         rect = option.rect
         if selected or hovered:
             whole = QRect(0, rect.top(), self._view.viewport().width(), rect.height())
-            painter.fillRect(whole, mixed(colors.accent, colors.panel, 0.78 if selected else 0.92))
+            painter.fillRect(whole, chosen_ground(colors) if selected else hovered_ground(colors))
         metrics = QFontMetrics(text_font())
         wanted = metrics.horizontalAdvance(str(index.data()))
         right = self._paint_doing(painter, rect, node, rect.width() - wanted - 3 * GAP - SWATCH)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QFontMetrics, QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from ..theme import CAPTION, Theme, mixed, text_font
+from ..theme import CAPTION, Theme, chosen_ground, text_font
 from .matching import places
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class EntryDelegate(QStyledItemDelegate):
             painter.save()
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(mixed(theme.palette.accent, theme.palette.panel, 0.78))
+            painter.setBrush(chosen_ground(theme.palette))
             painter.drawRoundedRect(rect.adjusted(0, 1, 0, -1), 6, 6)
             painter.restore()
         right = rect.right() - MARGIN

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ..theme import CAPTION, mixed, text_font
+from ..theme import CAPTION, chosen_ground, hovered_ground, text_font
 from .fits import Fit
 from .model import FIT, ROW
 from .survey import Row
@@ -161,7 +161,7 @@ class BehaviorDelegate(QStyledItemDelegate):
         colors = self._studio.theme.palette
         whole = QRect(0, rect.top(), self._view.viewport().width(), rect.height())
         if selected or hovered:
-            painter.fillRect(whole, mixed(colors.accent, colors.panel, 0.78 if selected else 0.92))
+            painter.fillRect(whole, chosen_ground(colors) if selected else hovered_ground(colors))
         self._paint_swatch(painter, rect, self._studio.colors.color(row.key.type, row.key.id))
         name, placed = layout(row, fit, rect)
         painter.setFont(text_font())
@@ -170,7 +170,7 @@ class BehaviorDelegate(QStyledItemDelegate):
         painter.drawText(name, Qt.AlignmentFlag.AlignVCenter, elided)
         painter.setFont(text_font(CAPTION))
         for each in placed:
-            self._paint_badge(painter, each)
+            self._paint_badge(painter, each, selected=selected)
 
     def _paint_swatch(self, painter: QPainter, rect: QRect, color: QColor) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -180,13 +180,14 @@ class BehaviorDelegate(QStyledItemDelegate):
         painter.drawRoundedRect(QRect(rect.left() + GAP // 2, top, SWATCH, SWATCH), 3, 3)
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
-    def _paint_badge(self, painter: QPainter, placed: Placed) -> None:
+    def _paint_badge(self, painter: QPainter, placed: Placed, *, selected: bool) -> None:
         theme = self._studio.theme
         if placed.badge.boxed:
             line = "hairline" if placed.badge.color == "dim" else placed.badge.color
             painter.setPen(theme.color(line))
             painter.drawRoundedRect(placed.rect.adjusted(0, 0, -1, -1), 9, 9)
-        painter.setPen(theme.color(placed.badge.color))
+        urgent = placed.badge.color != "dim"
+        painter.setPen(theme.color("text" if selected and urgent else placed.badge.color))
         painter.drawText(placed.rect, Qt.AlignmentFlag.AlignCenter, placed.badge.text)
 
     # -------------------------------------------------------------------------------------- mouse, editing
