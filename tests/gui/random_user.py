@@ -83,6 +83,7 @@ class RandomUser(Hand):
         for view in self.window.findChildren(QAbstractItemView):
             if view.state() is EDITING:
                 for editor in view.viewport().findChildren(QLineEdit):
+                    editor.setFocus()
                     self.qtbot.keyClick(editor, Qt.Key.Key_Escape)
                 self._wait_for_editor(view)
         self.window.setFocus()

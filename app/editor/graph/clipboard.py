@@ -44,8 +44,10 @@ def _leave_words() -> None:
 
 def there() -> CopiedStates | None:
     """The states in the clipboard, if it holds any."""
-    data = QGuiApplication.clipboard().mimeData()
-    if not data.hasFormat(STATES_MIME):
+    data: QMimeData | None = (
+        QGuiApplication.clipboard().mimeData()
+    )  # there is none where nothing was ever copied
+    if data is None or not data.hasFormat(STATES_MIME):
         return None
     try:
         content = json.loads(bytes(data.data(STATES_MIME).data()))

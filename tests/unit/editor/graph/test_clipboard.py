@@ -9,6 +9,7 @@ COPY = """
 from PySide6.QtGui import QGuiApplication
 from app.editor.graph.clipboard import CopiedStates, put, there
 application = QGuiApplication(["copy", "-platform", "offscreen"])
+assert there() is None
 copied = CopiedStates("agent", "forage", ("wander",))
 put(copied, "Wander")
 assert there() == copied
