@@ -37,17 +37,13 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     Returns:
         The exit code.
     """
-    sys.setswitchinterval(SWITCH)
-    qInstallMessageHandler(_log)
-    application = QApplication.instance() or QApplication(["understudy"])
-    assert isinstance(application, QApplication)
-    application.setApplicationName("understudy")
-    application.setApplicationDisplayName("Understudy")
+    application = make_application()
     window = make_window(application, Settings(settings, state))
     runs = RunWindows(application, window)
     signal.signal(signal.SIGINT, lambda *_: window.close())
     signal.signal(signal.SIGTERM, lambda *_: window.close())
     window.show()
+    window.studio.opened.connect(window.guide.offer)
     if project is not None:
         window.files.open(project, trust=trust)
     window.files.offer_left_over(project)
@@ -81,6 +77,17 @@ class RunWindows:
         for window in list(self._open):
             window.close()
         self._open.clear()
+
+
+def make_application() -> QApplication:
+    """The application, with threads that take turns often enough for a window."""
+    sys.setswitchinterval(SWITCH)
+    qInstallMessageHandler(_log)
+    application = QApplication.instance() or QApplication(["understudy"])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("understudy")
+    application.setApplicationDisplayName("Understudy")
+    return application
 
 
 def make_window(application: QApplication, settings: Settings) -> MainWindow:

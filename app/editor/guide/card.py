@@ -18,17 +18,25 @@ from PySide6.QtWidgets import (
 
 from ...core.errors import UnderstudyError
 from ...core.project import Project
+from ...engine.commands import Pause
+from ...engine.commands import Step as StepTicks
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..icons import icon
+from ..studio import Message
 from .ring import Ring
 from .scratch import NAME, scratch_project
 from .steps import SECOND, STEPS, Seen, picked_state
 
 if TYPE_CHECKING:
+    from ...engine.snapshots import Snapshot
     from ..window.main_window import MainWindow
 
 WIDTH, AWAY = 330, 16
+#: Ticks before the moment of stopping at which time is paused, at the speed of 1.
+LEAD = 15
+#: The flag among the settings that the lesson was offered.
+OFFERED = "lesson_offered"
 
 
 class Guide(QFrame):
@@ -46,6 +54,7 @@ class Guide(QFrame):
         self._studio = window.studio
         self.step = 0
         self._picked, self._from_tick = "", 0
+        self._stopping = self._stopped = False
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
         self.ring = Ring(window, self._studio.theme)
@@ -114,6 +123,16 @@ class Guide(QFrame):
             self._failed,
         )
 
+    def offer(self) -> None:
+        """Ask a user who has never been here whether to begin it; once in a lifetime."""
+        settings = self._studio.settings
+        if settings.lesson_step or settings.flag(OFFERED) or self._is_here:
+            return
+        settings.set_flag(OFFERED, on=True)
+        words = "New here? The guided first lesson takes five minutes. Later, it is in the menu Help."
+        answers = ("Begin it", self.start), ("Not now", lambda: None)
+        self._studio.said.emit(Message(words, answers=answers))
+
     @property
     def _is_here(self) -> bool:
         document = self._studio.document
@@ -154,7 +173,7 @@ class Guide(QFrame):
     def _go(self, step: int) -> None:
         self.step = max(0, min(step, len(STEPS)))
         self._studio.settings.lesson_step = self.step
-        self._picked = ""
+        self._picked, self._stopping, self._stopped = "", False, False
         snapshot = self._studio.snapshot
         self._from_tick = 0 if snapshot is None else snapshot.tick
         self.bar.setValue(self.step)
@@ -194,8 +213,23 @@ class Guide(QFrame):
         snapshot = self._studio.snapshot
         tick = 0 if snapshot is None else snapshot.tick
         self._from_tick = min(self._from_tick, tick)  # the world may have begun again
-        if STEPS[self.step].done(Seen(self._studio, self._picked, tick - self._from_tick)):
+        seen = Seen(self._studio, self._picked, tick - self._from_tick)
+        if STEPS[self.step].done(seen):
             self._go(self.step + 1)
+        elif snapshot is not None:
+            self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
+
+    def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
+        """Stop time once in a step, after *left* ticks: a little before, and then tick by tick."""
+        if left is None or self._stopped:
+            return
+        if snapshot.speed == 0.0:
+            self._stopped = self._stopping
+            if self._stopping and left:
+                self._studio.bridge.send(StepTicks(left))
+        elif not self._stopping and (snapshot.speed is None or left <= LEAD * snapshot.speed):
+            self._stopping = True
+            self._studio.bridge.send(Pause())
 
     # ------------------------------------------------------------------------------------------------ looks
 

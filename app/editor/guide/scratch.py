@@ -16,12 +16,12 @@ NAME = "First lesson"
 TYPE, WANDER, FORAGE = "agent", "wander", "forage"
 #: What Forage needs besides Wander, taught already.
 GIVEN = ("goto", "return-with-box")
-AGENTS, BOXES = 8, 25
+AGENTS, BOXES = 50, 25
 FOLDER = "projects/foraging"
 
 
 def scratch_project(*, wander_is_taught: bool) -> tuple[Project, Scenario]:
-    """A few agents, boxes that one agent can pull, and behaviors that are only named yet.
+    """Agents, boxes that one agent can pull, and behaviors that are only named yet.
 
     Args:
         wander_is_taught: Whether the first half of the lesson is done, so that its result has to be there.

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...engine.snapshots import Mode, Picked
-from .scratch import FORAGE, WANDER
+from .scratch import FORAGE, TYPE, WANDER
 
 if TYPE_CHECKING:
+    from ...engine.watching import WatchedLevel
     from ..studio import Studio
 
 
@@ -26,6 +27,17 @@ class Seen:
     picked: str
     ticks: int
 
+    def level(self, automaton: str) -> WatchedLevel | None:
+        """What the agent that is taught is about to decide in an automaton; None if it does not run it."""
+        snapshot = self.studio.snapshot
+        watched = None if snapshot is None else snapshot.watched.get(self.studio.teaching.node)
+        levels = () if watched is None else watched.levels
+        return next((level for level in levels if level.automaton == automaton), None)
+
+
+def _never(_seen: Seen) -> int | None:
+    return None
+
 
 @dataclass(frozen=True, slots=True)
 class Step:
@@ -35,12 +47,15 @@ class Step:
         points_at: Where: ``action:ID`` a button of the tool bar, ``pick:NAME`` a behavior in the teach panel, ``panel:ID``,
             or ``canvas``.
         done: Whether it was done.
+        stops: After how many ticks time is to stand still, so that the right moment cannot be missed; None while that
+            is not known.
     """
 
     title: str
     text: str
     points_at: str
     done: Callable[[Seen], bool]
+    stops: Callable[[Seen], int | None] = _never
 
 
 def _teaches(automaton: str) -> Callable[[Seen], bool]:
@@ -70,6 +85,26 @@ def _shows(automaton: str) -> Callable[[Seen], bool]:
         return behavior is not None and behavior.id == automaton
 
     return done
+
+
+def _as_long_as_before(seen: Seen) -> int | None:
+    """Until it has walked exactly as long as before it turned left."""
+    level = seen.level(WANDER)
+    if level is None or level.state != "forward":
+        return None
+    examples = seen.studio.document.project.examples_of(TYPE, WANDER)
+    walks = [e.values["ticks"] for e in examples if (e.source, e.label) == ("forward", "rotate-left")]
+    return max(0, round(walks[-1] - level.values["ticks"])) if walks else None
+
+
+def _when(feature: str) -> Callable[[Seen], int | None]:
+    """Once a feature of Forage is true."""
+
+    def stops(seen: Seen) -> int | None:
+        level = seen.level(FORAGE)
+        return 0 if level is not None and level.values.get(feature) else None
+
+    return stops
 
 
 def picked_state(event: object) -> str:
@@ -105,22 +140,30 @@ WANDERING: tuple[Step, ...] = (
     ),
     Step(
         "Turn it right",
-        "Let it walk about as long as before, then pick RotateRight.",
+        "Let it walk. Time stops by itself when it has walked as long as before: then pick RotateRight, since at that "
+        "moment either turn is fine.",
         "pick:RotateRight",
         _picked("rotate-right"),
+        _as_long_as_before,
     ),
-    Step("Ahead once more", "A little later, pick Forward.", "pick:Forward", _picked("forward")),
+    Step(
+        "Ahead once more",
+        "Press Space, let it turn a little, and pick Forward.",
+        "pick:Forward",
+        _picked("forward"),
+    ),
     Step(
         "Test it",
-        "That was the lesson. Press Test (Shift+T): Understudy learns from your examples, and all agents wander.",
+        "That was the lesson. Press Test (Shift+T): Understudy learns from your examples, and all fifty agents wander.",
         "action:teach.test",
         _tests,
     ),
     Step(
         "Watch them",
-        "They walk and turn as you showed, and choose left or right by chance. If time stands still, press Space.",
+        "They walk and turn as you showed. The library says “2 in conflict”: you turned both ways at the same moment, so "
+        "they choose left or right by chance.",
         "canvas",
-        _passed(200),
+        _passed(400),
     ),
 )
 FORAGING: tuple[Step, ...] = (
@@ -134,32 +177,35 @@ FORAGING: tuple[Step, ...] = (
     Step("Take an agent in hand", "Press Teach (T).", "action:teach.teach", _teaches(FORAGE)),
     Step(
         "Let it search",
-        "Pick Wander, and let time pass (Space). You may make it faster with the slider or +.",
+        "Pick Wander.",
         "pick:Wander",
         _picked("wander"),
     ),
     Step(
         "It has found a box",
-        "Wait until a box is within the circle around the agent, what it can see. Then pick ReturnWithBox: it fetches "
-        "the box and pulls it home.",
+        "Let time pass (Space goes on and stops; + is faster). It stops by itself once a box is within the circle around "
+        "the agent, what it can see. Then pick ReturnWithBox: it fetches the box and pulls it home.",
         "pick:ReturnWithBox",
         _picked("return-with-box"),
+        _when("sees"),
     ),
     Step(
         "And off again",
-        "When the box has arrived at the cross and the agent is free, pick Wander.",
+        "Press Space. Time stops again when the box has arrived at the cross and the agent is done: then pick Wander.",
         "pick:Wander",
         _picked("wander"),
+        _when("done"),
     ),
     Step(
         "Test it",
-        "Press Test (Shift+T): all agents forage now, by what you showed one of them.",
+        "Press Test (Shift+T): all fifty forage now, by what you showed one of them.",
         "action:teach.test",
         _tests,
     ),
     Step(
         "Watch them, and correct them",
-        "If one goes wrong, select it and pick what it should do: that is another example. Let them work for a while.",
+        "Let them work (Space). If one goes wrong, click it and pick what it should do: that is another example, and all "
+        "of them know better at once.",
         "canvas",
         _passed(600),
     ),

@@ -4,9 +4,10 @@ from collections.abc import Callable
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QPushButton
 from pytestqt.qtbot import QtBot
 
+from app.core.tree import Tree
 from app.editor.guide.ring import found
 from app.editor.guide.scratch import NAME, scratch_project
 from app.editor.guide.steps import FORAGING, SECOND, STEPS
@@ -57,11 +58,13 @@ def ring_is_around(window: MainWindow, qtbot: QtBot) -> Callable[[], bool]:
     return lambda: ring.isVisible() and ring.target is not None
 
 
-def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbot: QtBot) -> None:
-    window = lesson
-    assert window.studio.document.project.name == NAME
-    assert window.studio.document.folder is None
-    qtbot.waitUntil(ring_is_around(window, qtbot), timeout=PATIENCE)
+def time_stands_still(window: MainWindow) -> Callable[[], bool]:
+    studio = window.studio
+    return lambda: studio.snapshot is not None and studio.snapshot.speed == 0.0
+
+
+def teach_wander(window: MainWindow, qtbot: QtBot) -> None:
+    """Do what the first half of the lesson says."""
     qtbot.keyClick(window, Qt.Key.Key_T)
     at(window, qtbot, "Send it ahead")
     pick(window, qtbot, "Forward")
@@ -73,18 +76,99 @@ def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbo
     wait_ticks(window, qtbot, 10)
     pick(window, qtbot, "Forward")
     at(window, qtbot, "Turn it right")
-    wait_ticks(window, qtbot, 10)
+    qtbot.waitUntil(time_stands_still(window), timeout=PATIENCE)
     pick(window, qtbot, "RotateRight")
     at(window, qtbot, "Ahead once more")
+    qtbot.keyClick(window, Qt.Key.Key_Space)
     wait_ticks(window, qtbot, 10)
     pick(window, qtbot, "Forward")
     at(window, qtbot, "Test it")
     qtbot.keyClick(window, Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
     at(window, qtbot, "Watch them")
+    window.speed.choose(window.studio, 4.0)
+
+
+def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbot: QtBot) -> None:
+    window = lesson
+    assert window.studio.document.project.name == NAME
+    assert window.studio.document.folder is None
+    qtbot.waitUntil(ring_is_around(window, qtbot), timeout=PATIENCE)
+    teach_wander(window, qtbot)
     assert window.studio.mode is Mode.TESTING
     at(window, qtbot, "Now foraging")
     window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
     at(window, qtbot, "Take an agent in hand")
+
+
+def test_time_stops_where_either_turn_is_fine_so_that_agents_turn_by_chance(
+    lesson: MainWindow, qtbot: QtBot
+) -> None:
+    teach_wander(lesson, qtbot)
+    document = lesson.studio.document
+    turns = {
+        example.label: example.values["ticks"]
+        for example in document.project.examples_of("agent", "wander")
+        if example.source == "forward" and example.label != "forward"
+    }
+    assert turns["rotate-left"] == turns["rotate-right"]
+    wander = document.project.library("agent").automata["wander"]
+    tree = wander.learned["forward"]
+    assert isinstance(tree, Tree)
+    outcome = dict(
+        zip(tree.labels, tree.decide({"ticks": turns["rotate-left"]}.__getitem__).probabilities, strict=True)
+    )
+    assert outcome["rotate-left"] == outcome["rotate-right"] == 0.5
+
+
+def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    studio = window.studio
+    studio.settings.lesson_step = SECOND
+    begin(window, qtbot)
+    studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    at(window, qtbot, "Take an agent in hand")
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    at(window, qtbot, "Let it search")
+    window.speed.choose(studio, 8.0)
+    pick(window, qtbot, "Wander")
+    at(window, qtbot, "It has found a box")
+    play_until(window, qtbot, "sees")
+    pick(window, qtbot, "ReturnWithBox")
+    at(window, qtbot, "And off again")
+    play_until(window, qtbot, "done")
+    pick(window, qtbot, "Wander")
+    at(window, qtbot, "Test it")
+    qtbot.keyClick(window, Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
+    at(window, qtbot, "Watch them, and correct them")
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    at(window, qtbot, "That is all it takes")
+    qtbot.waitUntil(
+        lambda: studio.snapshot is not None and studio.snapshot.measures["boxes"] > 3, timeout=PATIENCE
+    )
+
+
+def play_until(window: MainWindow, qtbot: QtBot, feature: str) -> None:
+    """Let time pass, which stops by itself, unless it is so already."""
+    if not seen_by(window, feature):
+        qtbot.keyClick(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: seen_by(window, feature) and time_stands_still(window)(), timeout=PATIENCE)
+
+
+def seen_by(window: MainWindow, feature: str) -> bool:
+    """Whether a feature of Forage is true for the agent that is taught."""
+    studio = window.studio
+    watched = None if studio.snapshot is None else studio.snapshot.watched.get(studio.teaching.node)
+    return watched is not None and watched.levels[0].values.get(feature, 0.0) > 0.0
+
+
+def test_a_user_who_is_new_is_offered_the_lesson_once(window: MainWindow, qtbot: QtBot) -> None:
+    window.guide.offer()
+    begin_it = next(b for b in window.messages.findChildren(QPushButton) if b.text() == "Begin it")
+    qtbot.mouseClick(begin_it, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(window.guide.isVisible, timeout=PATIENCE)
+    window.guide.offer()
+    assert not window.messages.isVisible()
 
 
 def test_the_lesson_is_left_and_taken_up_again(lesson: MainWindow, qtbot: QtBot) -> None:
