@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from app.core import edits
 from app.core.automaton import Automaton, Basic, Content, Nested, RaiseFlag, Refit, Settings, State
-from app.core.conditions import AtMost, Condition, Equals
+from app.core.conditions import AtMost, Condition, Equals, InArc, Test
 from app.core.edits import SENTENCES, Recorded, describe
 from app.core.errors import EditError
 from app.core.examples import Example
@@ -129,6 +129,9 @@ class Arguments:
 
     forbidden = state_ids
 
+    def positions(self) -> dict[str, tuple[float, float]]:
+        return {state: (float(self.pick([0.0, -3.5, 1e6])), 2.0) for state in self.some(self.states())}
+
     def copy_states__source(self) -> tuple[str, str]:
         return self._type, self.automaton_id()
 
@@ -161,6 +164,16 @@ class Arguments:
 
     def prune_id(self) -> str:
         return str(self.pick([prune.id for prune in self._automaton.prunes] if self._automaton else []))
+
+    def cut_id(self) -> str:
+        return str(self.pick([cut.id for cut in self._automaton.cuts] if self._automaton else []))
+
+    def move_cut__guard(self) -> tuple[Condition, ...]:
+        return self.guard() if self.force() else ()  # the way to the root
+
+    def test(self) -> Test:
+        feature = self.feature_id()
+        return self.pick([AtMost(feature, 2.0), InArc(feature, -1.0, 1.0), Equals(feature, 1.0)])  # type: ignore[no-any-return]
 
     def rule_ids(self) -> list[str]:
         ids = [rule.id for rule in self._automaton.rules_of(self.state_id())] if self._automaton else []

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.core.edits import rename_state
-from app.engine import learning
+from app.engine import learning, worker
 from app.engine.commands import Teach
 from app.engine.commands import Test as LearnAndTest
 from app.engine.learning import Answer, InlineLearner, Question, WorkerLearner
@@ -55,7 +55,7 @@ class Gate:
                 stirred.set()
 
         monkeypatch.setattr(learning, "learn", self)
-        monkeypatch.setattr(learning, "Event", Stop)
+        monkeypatch.setattr(worker, "Event", Stop)
 
     def open(self) -> None:
         """Let who waits go on."""
