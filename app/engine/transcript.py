@@ -104,7 +104,7 @@ class Transcript:
         if (old.worlds, old.types, _arm(old, self._arm)) != (new.worlds, new.types, _arm(new, self._arm)):
             self.spoil(f"the arm was changed. {AGAIN}")
         plan = self._plan
-        if plan is None:
+        if plan is None or self._over:
             self._edited = self._edited or old.libraries != new.libraries
             return
         where = plan.type, plan.automaton
@@ -150,8 +150,9 @@ def _arm(project: Project, name: str) -> Arm | None:
 def _rest(project: Project, plan: Teach) -> object:
     """All behaviors, without what the taught one has learned."""
     libraries = {name: dict(library.automata) for name, library in project.libraries.items()}
-    mine = libraries[plan.type][plan.automaton]
-    libraries[plan.type][plan.automaton] = replace(mine, learned={}, learned_from="")
+    mine = libraries.get(plan.type, {}).get(plan.automaton)
+    if mine is not None:
+        libraries[plan.type][plan.automaton] = replace(mine, learned={}, learned_from="")
     return libraries
 
 

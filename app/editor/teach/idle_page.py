@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from .pupils import called
 from .target_row import TargetRow
@@ -36,6 +36,9 @@ class IdlePage(QWidget):
         self.filed.setAccessibleName("Name of the demonstration")
         self.filed.setFixedWidth(120)
         self.filed.editingFinished.connect(self._file)
+        self.keep = QCheckBox("keep")
+        self.keep.setAccessibleName("Keep the lesson as a demonstration")
+        self.keep.toggled.connect(lambda on: studio.teaching.keeping.set_on(on=on))
         filed = QLabel("demonstration")
         filed.setProperty("role", "caption")
         first, second = QHBoxLayout(), QHBoxLayout()
@@ -44,7 +47,7 @@ class IdlePage(QWidget):
         first.addWidget(self.teach, 0, Qt.AlignmentFlag.AlignTop)
         second.addWidget(self.targets)
         second.addStretch(1)
-        for widget in (filed, self.filed):
+        for widget in (filed, self.filed, self.keep):
             second.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
@@ -68,8 +71,19 @@ class IdlePage(QWidget):
         self.teach.setEnabled(self._studio.snapshot is not None and teaching.key is not None)
         self.filed.setEnabled(teaching.key is not None)
         self.filed.setPlaceholderText(teaching.filed_under)
+        self._show_keeping()
         if not self.filed.hasFocus():
             self.filed.setText(teaching.demonstration)
+
+    def _show_keeping(self) -> None:
+        """Whether the next lesson would be kept, and why it could not be."""
+        keeping = self._studio.teaching.keeping
+        why = keeping.obstacle
+        with QSignalBlocker(self.keep):
+            self.keep.setChecked(keeping.on and not why)
+        self.keep.setEnabled(not why)
+        tip = self._studio.actions.rows["teach.keep"].tip
+        self.keep.setToolTip(f"The lesson could not be kept as a demonstration: {why}" if why else tip)
 
     def _words(self) -> str:
         studio, teaching = self._studio, self._studio.teaching

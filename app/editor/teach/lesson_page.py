@@ -104,7 +104,7 @@ class LessonPage(QWidget):
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
         menu.setToolTipsVisible(True)
-        for action in ("teach.others", "teach.steps_on", "teach.stop"):
+        for action in ("teach.others", "teach.steps_on", "teach.keep", "teach.stop"):
             menu.addAction(self._studio.actions[action])
         button.setMenu(menu)
         return button
@@ -222,8 +222,21 @@ class LessonPage(QWidget):
             count = counts.get(choice.state, 0) if choice.state else 0
             told = f"{count} example{'' if count == 1 else 's'}" if choice.state else ""
             button.dress(caption=told, ghost=not choice.state, dimmed=bool(choice.raises) and in_start)
-        self.badge.setText(f"{len(examples)} example{'' if len(examples) == 1 else 's'}")
+        words, tip = self._kept_words()
+        self.badge.setText(f"{len(examples)} example{'' if len(examples) == 1 else 's'}{words}")
+        self.badge.setToolTip(tip)
         self.flow.arrange()
+
+    def _kept_words(self) -> tuple[str, str]:
+        """Whether the lesson is kept as a demonstration, briefly and in full."""
+        keeping, filed = self._teaching.keeping, self._teaching.filed_under
+        if not keeping.on:
+            return "", "Lessons are not kept as demonstrations (Teach > Keep as demonstration)"
+        if why := keeping.obstacle:
+            return " · not kept", f"What is taught now is not kept as a demonstration: {why}."
+        if keeping.is_kept:
+            return " · kept", f"Kept as demonstration {filed!r}, which can be played again"
+        return "", f"What you pick is kept as demonstration {filed!r}"
 
     def _tell(self) -> None:
         """What was recorded last, whose turn it is."""

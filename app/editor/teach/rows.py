@@ -70,6 +70,16 @@ def teach_panel_rows() -> tuple[ActionRow, ...]:
             checked=lambda studio: studio.teaching.steps_on,
         ),
         ActionRow(
+            "teach.keep",
+            "Keep as demonstration",
+            "Teach",
+            lambda studio: studio.teaching.keeping.set_on(on=not studio.teaching.keeping.on),
+            "switches",
+            tip="Keep what your hand does in a lesson as a demonstration, which can be played again",
+            enabled=when_open,
+            checked=lambda studio: studio.teaching.keeping.on,
+        ),
+        ActionRow(
             "teach.ask",
             "Ask me",
             "Teach",

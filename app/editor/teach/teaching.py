@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import count
 from typing import TYPE_CHECKING
@@ -16,6 +17,7 @@ from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot,
 from ..selection import BehaviorKey
 from .asking import Asking
 from .choosing import Choosing
+from .keeping import Keeping
 from .pupils import arms_with, is_of, nodes_of, state_of
 
 if TYPE_CHECKING:
@@ -33,6 +35,7 @@ class Teaching(QObject):
         demonstration: What examples are filed under; empty for a name made from the behavior's.
         asking: Asks the user during a test.
         choosing: The targets that are to be chosen, from a menu or in the world.
+        keeping: Keeps lessons as demonstrations.
         picked: The state that was picked last and that no tick has carried out yet; empty otherwise.
         last: Examples that the last pick recorded, the first of which says it; None before the first.
 
@@ -60,6 +63,8 @@ class Teaching(QObject):
         self._then_teach = False
         self.asking = Asking(studio, self)
         self.choosing = Choosing(studio, self)
+        self.keeping = Keeping(studio, self)
+        self.keeping.changed.connect(self.changed)
         studio.opened.connect(self._opened)
         studio.selection.nodes_changed.connect(self._selected)
         studio.bridge.mode_changed.connect(self._mode_changed)
@@ -264,8 +269,13 @@ class Teaching(QObject):
         automaton = self._studio.document.automaton(key.type, key.id)
         chosen = self._arguments.get(key, {})
         arguments = {slot: chosen[slot] for slot in (automaton.parameters if automaton else ())}
-        filed = self.demonstration or self._free_name()
-        self._studio.bridge.send(Teach(key.type, key.id, nodes, arguments, self.others, filed))
+        plan = Teach(key.type, key.id, nodes, arguments, self.others, self.demonstration or self._free_name())
+        lesson = self.lesson
+        if lesson is not None and not self.demonstration:
+            going_on = replace(plan, demonstration=lesson.plan.demonstration)
+            if replace(going_on, nodes=lesson.plan.nodes) == lesson.plan:
+                plan = going_on  # after a test the lesson goes on, as one demonstration
+        self._studio.bridge.send(plan)
 
     def _again(self, lesson: LessonView, arguments: Mapping[str, str], others: Others) -> None:
         plan = lesson.plan

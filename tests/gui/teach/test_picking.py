@@ -69,7 +69,7 @@ def test_the_example_is_said_in_words_and_counted(hand: Hand) -> None:
     hand.hold(3)
     hand.pick("ReturnWithBox")
     assert len(hand.examples) == before + 4
-    assert hand.page.badge.text() == f"{before + 4} examples"
+    assert hand.page.badge.text() == f"{before + 4} examples · kept"
     assert hand.page.last.text.startswith("Last: Wander → ReturnWithBox when it sees ")
     counted = sum(example.label == "return-with-box" for example in hand.examples)
     assert hand.page.buttons["return-with-box"]._caption == f"{counted} examples"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from app.core.automaton import Automaton
-from app.core.edits import disable_examples, note_state, replace_examples, set_learned
+from app.core.edits import delete_automaton, disable_examples, note_state, replace_examples, set_learned
 from app.core.edits.arms import replace_arm
 from app.core.project import Demonstration, Project
 from app.engine.commands import AskMe, MoveEntity, Others, Pick
@@ -164,6 +164,15 @@ def test_another_world_can_be_taught_in_again() -> None:
     driver = lesson().pick("up").advance(2).run().reset()
     driver.teach("agent-1", "Shuttle", demonstration="shuttle-2").pick("down").advance()
     assert kept(driver).picks[0].tick == 0
+
+
+def test_what_was_taught_can_be_deleted_and_come_back() -> None:
+    driver = lesson().pick("up").advance(2)
+    before = driver.project
+    driver.edit(delete_automaton, *SHUTTLE)
+    assert "the lesson is over" in driver.interruptions[-1]
+    driver.edit(lambda _: before).teach("agent-1", "Shuttle", demonstration="shuttle-2").pick("up")
+    assert "in the middle of the lesson" in driver.obstacle
 
 
 def test_notes_on_the_project_are_no_obstacle() -> None:

@@ -1,0 +1,111 @@
+"""What the hand does in a lesson is kept as a demonstration of the project, which plays it again."""
+
+from PySide6.QtCore import Qt
+
+from app.core.project import Demonstration, Project
+from app.engine.commands import MoveEntity, Reset
+from app.engine.demonstrations import recreate
+from app.engine.snapshots import Mode
+from tests.gui.teach.hand import LEFT, Hand
+
+WANDER = ("agent", "wander")
+
+
+def project(hand: Hand) -> Project:
+    return hand.studio.document.project
+
+
+def kept(hand: Hand) -> list[str]:
+    """The ids of the demonstrations of Wander that the shipped project lacks."""
+    return [d.id for d in project(hand).demonstrations if d.automaton == "wander"][1:]
+
+
+def newest(hand: Hand) -> Demonstration:
+    return project(hand).demonstrations[-1]
+
+
+def test_a_lesson_in_the_window_is_played_again_without_it(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(6)
+    hand.pick("RotateLeft")
+    hand.hold(4)
+    hand.pick("Forward")
+    hand.test()
+    hand.hold(3)
+    hand.pick("RotateRight")
+    hand.hold(2)
+    made = newest(hand)
+    assert kept(hand) == [made.id] == ["wander-2"]
+    assert "kept" in hand.page.badge.text()
+    again = recreate(project(hand), hand.studio.document.scenario, [WANDER])
+    assert again.examples_of(*WANDER) == hand.examples
+    assert again.library("agent").get("wander").learned_from != ""
+
+
+def test_a_pick_and_its_place_in_the_demonstration_are_one_step(hand: Hand) -> None:
+    untouched = project(hand)
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(2)
+    first = newest(hand)
+    hand.pick("RotateLeft")
+    hand.hold(2)
+    assert len(newest(hand).picks) == 3
+    hand.undo()
+    assert newest(hand) == first
+    hand.undo()
+    assert kept(hand) == []
+    assert project(hand).demonstrations == untouched.demonstrations
+
+
+def test_where_it_would_not_do_the_same_it_is_not_kept_and_that_is_said(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(2)
+    assert kept(hand) == ["wander-2"]
+    hand.act(lambda: hand.studio.bridge.send(MoveEntity(3, 10.0, 10.0)))
+    hand.pick("RotateLeft")
+    assert kept(hand) == []
+    assert "not kept" in hand.page.badge.text()
+    assert "moved" in hand.page.badge.toolTip()
+
+
+def test_keeping_is_switched_off_before_a_lesson(hand: Hand) -> None:
+    hand.show("Wander", "agent-3")
+    hand.click(hand.panel.idle.keep)
+    hand.wait(lambda: not hand.studio.actions["teach.keep"].isChecked())
+    hand.key(Qt.Key.Key_T)
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
+    hand.pick("Forward")
+    assert kept(hand) == []
+
+
+def test_examples_of_lessons_that_were_not_kept_are_no_prey_of_one_that_is(hand: Hand) -> None:
+    hand.studio.teaching.keeping.set_on(on=False)
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(2)
+    hand.key(Qt.Key.Key_Escape)
+    hand.wait(lambda: hand.studio.mode is Mode.RUNNING)
+    hand.act(lambda: hand.studio.bridge.send(Reset()))
+    hand.studio.teaching.keeping.set_on(on=True)
+    hand.settle()
+    assert not hand.panel.idle.keep.isEnabled()
+    assert "from no demonstration" in hand.panel.idle.keep.toolTip()
+    hand.qtbot.mouseClick(hand.panel.idle.keep, LEFT)
+    assert not hand.panel.idle.keep.isChecked()
+
+
+def test_teaching_goes_on_after_a_test_in_the_same_demonstration(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(3)
+    hand.test()
+    hand.hold(2)
+    hand.key(Qt.Key.Key_T)
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
+    hand.settle()
+    hand.pick("RotateLeft")
+    assert kept(hand) == ["wander-2"]
+    assert [act.act for act in newest(hand).picks] == ["teach", "pick", "test", "teach", "pick"]
