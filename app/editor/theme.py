@@ -219,6 +219,8 @@ QTabBar::tab {{ background: transparent; color: {colors.dim}; padding: 6px 10px;
 QTabBar::tab:selected {{ color: {colors.text}; border-bottom: 2px solid {colors.accent}; }}
 QTabBar::tab:hover {{ color: {colors.text}; }}
 QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
+QPlainTextEdit[role="details"] {{ background: {colors.raised}; border: 1px solid {colors.hairline};
+    border-radius: 6px; padding: 4px; }}
 QLabel[role="caption"] {{ color: {colors.dim}; font-size: {CAPTION}px; }}
 QLabel[role="empty"] {{ color: {colors.dim}; }}
 QLabel[role="title"] {{ font-weight: 600; }}

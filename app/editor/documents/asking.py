@@ -152,6 +152,8 @@ def _details(text: str, *, wrapped: bool) -> QPlainTextEdit:
     shown.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
     modes = QPlainTextEdit.LineWrapMode
     shown.setLineWrapMode(modes.WidgetWidth if wrapped else modes.NoWrap)
-    shown.setMinimumHeight(DETAIL_HEIGHT)
+    shown.setProperty("role", "details")
+    lines = text.count("\n") + 2
+    shown.setMinimumHeight(min(DETAIL_HEIGHT, 24 + lines * shown.fontMetrics().lineSpacing()))
     shown.setAccessibleName("Details")
     return shown

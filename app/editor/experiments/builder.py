@@ -89,7 +89,7 @@ class ExperimentBuilder(QDialog):
         column.addWidget(tabs, 1)
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
-        self.resize(620, 480)
+        self.resize(760, 520)
 
     # --------------------------------------------------------------------------------------------- fields
 
@@ -193,6 +193,9 @@ class ExperimentBuilder(QDialog):
             caption("Each claim is tested (two-tailed Welch t-tests, Bonferroni) and gets a verdict.")
         )
         self.claims = _table(["Arm", "says", "Arm", "in"])
+        for at, width in ((1, 132), (3, 108)):  # the names of arms are what may be long
+            self.claims.horizontalHeader().setSectionResizeMode(at, QHeaderView.ResizeMode.Fixed)
+            self.claims.setColumnWidth(at, width)
         for claim in self._base.claims if self._base is not None else ():
             if (row := shown_claim(claim)) is not None:
                 self.add_claim(*row)

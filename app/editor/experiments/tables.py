@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 Index = QModelIndex | QPersistentModelIndex
@@ -75,9 +76,18 @@ class TextTable(QAbstractTableModel):
         return int(side | Qt.AlignmentFlag.AlignVCenter)
 
 
+class _Table(QTableView):
+    """Columns that do not fit in are fitted when it gets another size, too."""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """See above."""
+        super().resizeEvent(event)
+        _narrow(self)
+
+
 def table_view(model: TextTable, name: str) -> QTableView:
     """A quiet table in which rows can be selected."""
-    view = QTableView()
+    view = _Table()
     view.setModel(model)
     view.setAccessibleName(name)
     view.setShowGrid(False)
@@ -114,6 +124,6 @@ def _narrow(view: QTableView) -> None:
     """What does not fit in is taken from the widest column, whose words are in its tool tips as well."""
     widths = [view.columnWidth(column) for column in range(view.model().columnCount())]
     over = sum(widths) - view.viewport().width()
-    if over > 0 and widths and view.isVisible():
+    if over > 0 and widths and view.isVisible():  # one that was never shown has no size yet
         widest = widths.index(max(widths))
         view.setColumnWidth(widest, max(NARROWEST, widths[widest] - over))

@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what the selected node sees.
 LIVE = 33
+#: Pixels that the tree keeps whatever is open below it.
+LOWEST = 104
 
 
 class TreePanel(QWidget):
@@ -72,6 +74,7 @@ class TreePanel(QWidget):
         self._reaching: tuple[tuple[object, ...], Reaching] | None = None
         self.scene = TreeScene(studio.theme)
         self.view = TreeView(self.scene, studio.theme)
+        self.view.setMinimumHeight(LOWEST)
         self.rules = RuleList(studio)
         self.tools = Tools(studio)
         self.pruning = Pruning(studio)

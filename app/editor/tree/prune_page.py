@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
+    QLabel,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -23,6 +24,8 @@ from .words import cut_words, prune_words
 
 if TYPE_CHECKING:
     from ..studio import Studio
+
+NOTHING = "Nothing is pruned, and no cut was moved. Delete prunes the node that is selected."
 
 
 class PrunePage(QWidget):
@@ -66,6 +69,11 @@ class PrunePage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 0, 8, 4)
         column.setSpacing(4)
+        self._nothing = QLabel(NOTHING)
+        self._nothing.setProperty("role", "empty")
+        self._nothing.setWordWrap(True)
+        self._nothing.setAlignment(Qt.AlignmentFlag.AlignTop)
+        column.addWidget(self._nothing, 1)
         column.addWidget(self.listed, 1)
         column.addLayout(below)
         self.listed.currentRowChanged.connect(lambda row: self.back.setEnabled(row >= 0))
@@ -87,6 +95,8 @@ class PrunePage(QWidget):
                 self._add(words, ("prune", prune.id))
             for cut in automaton.cuts:
                 self._add(cut_words(cut, automaton, subject.library, subject.vocabulary), ("cut", cut.id))
+        self._nothing.setVisible(not self.listed.count())
+        self.listed.setVisible(bool(self.listed.count()))
         self.listed.setCurrentRow(min(max(row, 0), self.listed.count() - 1))
         self.back.setEnabled(self.listed.count() > 0)
         self.weak.setEnabled(subject is not None and bool(subject.automaton.learned))
