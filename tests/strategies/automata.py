@@ -10,6 +10,7 @@ from app.core.automaton import (
     Automaton,
     Basic,
     Content,
+    Cut,
     Nested,
     Prune,
     RaiseFlag,
@@ -105,11 +106,14 @@ def _with_transitions(draw: st.DrawFn, scope: Scope, bare: Automaton) -> Automat
     )
     forbidden = st.frozensets(scope.reference(targets), min_size=1, max_size=2)
     prunes = draw(st.lists(st.tuples(scope.reference(sources), guard, forbidden), max_size=2))
+    moved = st.tuples(scope.reference(sources), guard, feature_tests(scope, bare.features))
+    cuts = draw(st.lists(moved, max_size=1)) if bare.features else ()
     return replace(
         bare,
         rules=tuple(Rule(str(number), *rule) for number, rule in enumerate(rules, start=1)),
         prunes=tuple(Prune(str(number), *prune) for number, prune in enumerate(prunes, start=1)),
         learned={state: draw(models(scope, bare)) for state in draw(some(sources))},
+        cuts=tuple(Cut(str(number), *cut) for number, cut in enumerate(cuts, start=1)),
         learned_from=draw(words),
         settings=draw(_settings),
     )
