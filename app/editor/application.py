@@ -1,11 +1,14 @@
 """Starting the studio: the application, its theme, its window, and the project to begin with."""
 
+import gc
 import logging
 import signal
 import sys
+from importlib import import_module
 from pathlib import Path
+from threading import Thread
 
-from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import QMessageLogContext, QTimer, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication
 
 from ..core.project import Project
@@ -18,6 +21,11 @@ from .window.main_window import MainWindow
 
 #: Seconds after which a thread that computes lets the window have its turn; Python's own is five times as long.
 SWITCH = 0.001
+#: Looking through all objects for garbage stops every thread, for a tenth of a second in a large world, and reference
+#: counts free nearly everything anyway: young objects are looked through after so many, old ones hardly ever.
+GARBAGE = (5_000, 10, 1_000)
+#: What takes long to import and is not needed at once, and after how many milliseconds it is imported all the same.
+LATER, AHEAD = ".plots.lines_view", 2_000
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG,
     QtMsgType.QtInfoMsg: logging.INFO,
@@ -82,6 +90,7 @@ class RunWindows:
 def make_application() -> QApplication:
     """The application, with threads that take turns often enough for a window."""
     sys.setswitchinterval(SWITCH)
+    gc.set_threshold(*GARBAGE)
     qInstallMessageHandler(_log)
     application = QApplication.instance() or QApplication(["understudy"])
     assert isinstance(application, QApplication)
@@ -94,7 +103,13 @@ def make_window(application: QApplication, settings: Settings) -> MainWindow:
     """A window with a studio of its own, showing the welcome page."""
     window = MainWindow(Studio(Theme(application, settings.theme), settings))
     window.take_place()
+    QTimer.singleShot(AHEAD, window, _import_later_things)
     return window
+
+
+def _import_later_things() -> None:
+    """In a thread, so that the window is not held up now, nor when a panel is looked at first."""
+    Thread(target=import_module, args=(LATER, __package__), name="ahead", daemon=True).start()
 
 
 def _log(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:

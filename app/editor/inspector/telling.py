@@ -67,7 +67,7 @@ def tell(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, node: str
     if watched is None:
         return None
     hierarchy = snapshot.place.hierarchy
-    view = snapshot.nodes[node]
+    view = snapshot.node(node)
     found = reasons(project, vocabulary, snapshot.watched, node, hierarchy, snapshot.taught)
     name = node_words(hierarchy.node(node))
     return Told(

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.core.library import Library
 from app.core.project import Arm, LevelTable, Project
 from app.editor.behavior_colors import BehaviorColors
-from app.editor.bench import canvas_frames
+from app.editor.bench.canvas import canvas_frames
 from app.editor.canvas.camera import Camera
 from app.editor.canvas.coloring import ColorBy, color_agents
 from app.editor.canvas.frame import Frame, Options

@@ -118,6 +118,12 @@ def path(snapshot: Snapshot, node: str) -> list[tuple[BehaviorRef, StateRef | No
 
 
 @ENGINES
+def test_a_single_node_is_told_as_all_of_them_are(engine: str) -> None:
+    snapshot = session(engine).advance(40)
+    assert {node_id: snapshot.node(node_id) for node_id in snapshot.nodes} == snapshot.nodes
+
+
+@ENGINES
 def test_a_node_shows_the_automaton_that_it_runs_in_its_outermost_one(engine: str) -> None:
     running = session(engine, "alone")
     assert shown(running.advance(1)) == ["Wander"] * 4

@@ -4,34 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from statistics import median
 from time import perf_counter
 
 import numpy as np
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from ..core.library import Library
-from ..core.project import Arm, LevelTable, Project
-from ..engine.place import place_of
-from ..engine.runs import start_engine, treatment
-from ..engine.scenarios import open_scenario
-from .behavior_colors import BehaviorColors
-from .canvas.camera import Camera
-from .canvas.coloring import ColorBy, color_agents
-from .canvas.frame import Frame, Options
-from .canvas.group_painting import controller_colors
-from .canvas.ink import Ink
-from .canvas.painting import paint
-from .canvas.scene import Scene
-from .canvas.trails import Trails
-from .palette import DARK
+from ...core.library import Library
+from ...core.project import Arm, LevelTable, Project
+from ...engine.place import place_of
+from ...engine.runs import start_engine, treatment
+from ...engine.scenarios import open_scenario
+from ..behavior_colors import BehaviorColors
+from ..canvas.camera import Camera
+from ..canvas.coloring import ColorBy, color_agents
+from ..canvas.frame import Frame, Options
+from ..canvas.group_painting import controller_colors
+from ..canvas.ink import Ink
+from ..canvas.painting import paint
+from ..canvas.scene import Scene
+from ..canvas.trails import Trails
+from ..palette import DARK
 
 #: Pixels of the picture, and how many frames are painted; the first ones, in which all is made anew, do not count.
 SIZE, FRAMES, WARM = (1200, 900), 40, 5
 
 
 def canvas_frames(agents: int, options: Options = Options(), levels: int = 1) -> float:  # noqa: B008 - frozen
-    """Frames per second of the canvas with *agents* foragers, everything a snapshot asks of it included.
+    """Frames per second of the canvas with *agents* foragers, everything a snapshot asks of it included: the median.
 
     Args:
         options: What is shown besides the agents.
@@ -40,10 +41,9 @@ def canvas_frames(agents: int, options: Options = Options(), levels: int = 1) ->
     _application()
     colors, ink, trails = BehaviorColors(), Ink(), Trails()
     image = QImage(*SIZE, QImage.Format.Format_ARGB32_Premultiplied)
-    began = 0.0
-    for number, scene in enumerate(_scenes(agents, levels)):
-        if number == WARM:
-            began = perf_counter()
+    seconds = []
+    for scene in _scenes(agents, levels):
+        began = perf_counter()
         trails.add(scene)
         extent = scene.extent()
         camera = Camera().resized(*SIZE).fitted(extent)
@@ -53,7 +53,8 @@ def canvas_frames(agents: int, options: Options = Options(), levels: int = 1) ->
         painter = QPainter(image)
         paint(painter, frame, ink, controller_colors(frame, ColorBy.CURRENT, colors) or [QColor(DARK.dim)])
         painter.end()
-    return FRAMES / (perf_counter() - began)
+        seconds.append(perf_counter() - began)
+    return 1.0 / median(seconds[WARM:])
 
 
 def _application() -> QGuiApplication:

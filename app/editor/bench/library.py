@@ -1,0 +1,92 @@
+"""How soon a large project is there, and how quick the window stays with it."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from random import Random
+from statistics import median
+from time import perf_counter
+
+from ...core.edits import disable_examples, rename_automaton, weight_examples
+from ...core.library import Library
+from ...core.project import Project
+from ...core.storage import save
+from ...engine.bench.lessons import TYPE, examples_of, taught
+from ...engine.scenarios import open_scenario
+from ...learner.trainer import apply, learn
+from ..examples.panel import ExamplesPanel
+from ..library.panel import LibraryPanel
+from ..selection import BehaviorKey
+from .stage import Stage
+
+#: Half of the examples belong to one behavior.
+BEHAVIORS, EXAMPLES = 200, 20_000
+LARGEST = "b0"
+TIMES = 5
+
+
+def large(project: Project, behaviors: int = BEHAVIORS, examples: int = EXAMPLES) -> Project:
+    """*project* with so many more behaviors, learned from so many examples."""
+    template = next(iter(taught(project, 1).library(TYPE).automata.values()))
+    most, rest = examples // 2, examples // 2 // max(1, behaviors - 1)
+    automata = {f"b{k}": replace(template, id=f"b{k}", name=f"Behavior{k}") for k in range(behaviors)}
+    recorded = {name: tuple(examples_of(most if name == LARGEST else max(20, rest))) for name in automata}
+    library = project.library(TYPE)
+    stale = replace(
+        project,
+        libraries={**project.libraries, TYPE: Library({**library.automata, **automata})},
+        examples={**project.examples, TYPE: {**project.examples.get(TYPE, {}), **recorded}},
+    )
+    return apply(stale, learn(stale, open_scenario(stale).vocabulary, [(TYPE, name) for name in automata]))
+
+
+def seconds_to_open(stage: Stage, folder: Path, arm: str = "") -> float:
+    """From the wish to open a project until it can be seen, and nothing is left to do."""
+    began = perf_counter()
+    stage.window.files.open(folder, arm)
+    stage.wait(lambda: stage.studio.is_open and stage.studio.snapshot is not None, "open")
+    return perf_counter() - began + stage.settle()
+
+
+def of_large_project(stage: Stage, project: Project, behaviors: int, examples: int) -> tuple[float, float]:
+    """Seconds to open it, and the longest that selecting, filtering or editing takes until it can be seen."""
+    folder = stage.home / "large"
+    save(large(project, behaviors, examples), folder)
+    opened = seconds_to_open(stage, folder)
+    stage.wait(lambda: stage.snapshot.engine == "compiled", "compile")
+    stage.settle()
+    slowest = max(median(times) for times in _times(stage, behaviors))
+    return opened, slowest
+
+
+def _times(stage: Stage, behaviors: int) -> Iterator[list[float]]:
+    """Of each kind of act, how long it takes, several times."""
+    studio, chance = stage.studio, Random(1)
+    table, library = stage.window.docks["examples"].widget(), stage.window.docks["library"].widget()
+    assert isinstance(table, ExamplesPanel)
+    assert isinstance(library, LibraryPanel)
+    document, where = studio.document, (TYPE, LARGEST)
+    names = [f"b{chance.randrange(1, max(2, behaviors))}" for _ in range(TIMES)]
+    yield [
+        stage.seconds_of(lambda n=n: studio.selection.select_behavior(BehaviorKey(TYPE, n))) for n in names
+    ]
+    yield [stage.seconds_of(lambda: studio.selection.select_behavior(BehaviorKey(*where)))]
+    nodes = studio.snapshot.place.agents if studio.snapshot is not None else ()
+    yield [stage.seconds_of(lambda n=n: studio.selection.select_nodes((n,))) for n in nodes[:TIMES]]
+    yield [
+        stage.seconds_of(lambda t=t: library.filter.setText(t)) for t in ("b", "be", "behavior1", "wa", "")
+    ]
+    labels = ("forward", "left", "right", None, "left")
+    yield [stage.seconds_of(lambda v=v: table.filters.choose(table.filters.label, v)) for v in labels]
+    table.filters.reset()
+    yield [
+        stage.seconds_of(lambda k=k: document.do(disable_examples, *where, [str(k)])) for k in range(TIMES)
+    ]
+    yield [
+        stage.seconds_of(lambda k=k: document.do(weight_examples, *where, [str(k)], 2.0))
+        for k in range(TIMES)
+    ]
+    yield [
+        stage.seconds_of(lambda n=n: document.do(rename_automaton, TYPE, n, f"Renamed{n}"))
+        for n in dict.fromkeys(names)
+    ]
