@@ -93,6 +93,8 @@ class Guide(QFrame):
         self.back.clicked.connect(lambda: self._go(self.step - 1))
         self.skip.setToolTip("Go on without doing this")
         self.skip.clicked.connect(lambda: self._go(self.step + 1))
+        for button in (self.close_button, self.back, self.skip):
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # keys stay with the window after a click
         head, foot = QHBoxLayout(), QHBoxLayout()
         head.addWidget(self.title, 1)
         head.addWidget(self.close_button)

@@ -6,7 +6,16 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from ..icons import icon
 from ..studio import Kind, Message
@@ -72,6 +81,9 @@ class MessageBar(QFrame):
     def dismiss(self) -> None:
         """Take the message away, and show the next."""
         self.current = None
+        focus = QApplication.focusWidget()
+        if isinstance(focus, QWidget) and self.isAncestorOf(focus):
+            self.window().setFocus()  # rather than whoever comes next, who would take keys that are shortcuts
         self.hide()
         self._next()
 
@@ -94,6 +106,7 @@ class MessageBar(QFrame):
 
     def _button(self, text: str, act: object) -> QPushButton:
         button = QPushButton(text)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # keys stay with the window after a click
         button.clicked.connect(self.dismiss)
         button.clicked.connect(act)
         self._layout.insertWidget(self._layout.count() - 1, button)

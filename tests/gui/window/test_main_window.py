@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import note_project
@@ -45,6 +45,17 @@ def test_space_lets_time_pass_and_stops_it(window: MainWindow, qtbot: QtBot) -> 
     qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick > 3, timeout=PATIENCE)
     qtbot.keyClick(window, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.speed == 0.0, timeout=PATIENCE)
+
+
+def test_keys_work_on_after_a_message_was_answered_by_a_click(window: MainWindow, qtbot: QtBot) -> None:
+    studio = window.studio
+    studio.warn("something to answer", (("Later", lambda: None),))
+    answer = next(b for b in window.messages.findChildren(QPushButton) if b.text() == "Later")
+    qtbot.mouseClick(answer, Qt.MouseButton.LeftButton)
+    focus = QApplication.focusWidget()
+    assert focus is window
+    qtbot.keyClick(focus, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick > 3, timeout=PATIENCE)
 
 
 def test_an_edit_is_undone_and_redone_by_keys(window: MainWindow, qtbot: QtBot) -> None:
