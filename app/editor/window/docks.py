@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QTabWidget, QWidget
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QSizePolicy, QTabWidget, QWidget
 
 from ..agents.panel import AgentsPanel
 from ..examples.panel import ExamplesPanel
@@ -106,13 +107,31 @@ class Dock(QDockWidget):
             wanted.show()
 
 
+class _Words(QLabel):
+    """A line that is cut where there is no more room, so that a long name does not make the dock wide."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.setProperty("role", "title")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """See above; all of it is in the tool tip."""
+        whole = self.text()
+        shown = self.fontMetrics().elidedText(whole, Qt.TextElideMode.ElideRight, self.width())
+        self.setToolTip(whole if shown != whole else "")
+        painter = QPainter(self)
+        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, shown)
+        painter.end()
+
+
 class _Title(QWidget):
     """Only words; it can be dragged as any title bar can."""
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.label = QLabel(title)
-        self.label.setProperty("role", "title")
+        self.label = _Words(title)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(10, 6, 8, 5)
         layout.addWidget(self.label)

@@ -5,13 +5,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import note_project
+from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.editor.actions import MENUS
+from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
+from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
 
 
@@ -116,3 +118,23 @@ def test_opening_another_project_leaves_window_and_panels_where_they_are(
 def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: QtBot) -> None:
     measures = window.statusBar().findChildren(QLabel)
     qtbot.waitUntil(lambda: any("boxes 0" in label.text() for label in measures), timeout=PATIENCE)
+
+
+@pytest.mark.parametrize("mode", ["before a lesson", "in a lesson"])
+def test_names_of_any_length_leave_the_window_as_narrow_as_the_user_made_it(
+    window: MainWindow, qtbot: QtBot, mode: str
+) -> None:
+    studio = window.studio
+    window.resize(1280, 800)
+    name = "A behavior that somebody has given a name of many words, which " * 3
+    behavior = studio.document.do(add_automaton, "agent", name.strip())
+    studio.selection.select_behavior(BehaviorKey("agent", behavior))
+    studio.selection.select_nodes(("agent-1",))
+    if mode == "in a lesson":
+        studio.teaching.teach()
+        qtbot.waitUntil(lambda: studio.mode is Mode.TEACHING, timeout=PATIENCE)
+    panel = window.docks["graph"]
+    qtbot.waitUntil(lambda: panel.windowTitle().startswith("Automaton · A behavior"), timeout=PATIENCE)
+    QApplication.processEvents()
+    assert window.minimumSizeHint().width() <= 1280
+    assert window.width() == 1280
