@@ -73,12 +73,41 @@ class ForestModel(QAbstractItemModel):
         self.forest = Hierarchy(())
 
     def show(self, forest: Hierarchy) -> None:
-        """Show another forest."""
+        """Show another forest; where only names are others, the tree is not laid out anew."""
+        changed: list[int] = []
+        if self._matches(self._roots, forest.roots, changed):
+            self._rename_in_place(forest, changed)
+            return
         self.beginResetModel()
         self.forest = forest
         self._entries, self._parents = [], None
         self._roots, self._root_rows = self._grown(forest.roots, -1)
         self.endResetModel()
+
+    def _matches(self, numbers: Sequence[int], nodes: Sequence[Node], changed: list[int]) -> bool:
+        """Whether the same nodes stand in the same places as far as was looked at; collects those that differ at all."""
+        if len(numbers) != len(nodes):
+            return False
+        for number, node in zip(numbers, nodes, strict=True):
+            entry = self._entries[number]
+            if entry.node is node:
+                continue
+            if entry.node.id != node.id or len(entry.node.children) != len(node.children):
+                return False
+            changed.append(number)
+            if entry.children is not None and not self._matches(entry.children, node.children, changed):
+                return False
+        return True
+
+    def _rename_in_place(self, forest: Hierarchy, changed: Sequence[int]) -> None:
+        """Show other values of the same nodes, parents first."""
+        self.forest, self._parents = forest, None
+        for number in changed:
+            entry = self._entries[number]
+            siblings = forest.roots if entry.parent < 0 else self._entries[entry.parent].node.children
+            entry.node = siblings[entry.row]
+            index = self._index_of(number)
+            self.dataChanged.emit(index, index)
 
     def _grown(self, nodes: Sequence[Node], parent: int) -> tuple[list[int], dict[str, int]]:
         first = len(self._entries)

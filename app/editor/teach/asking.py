@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from ...core.wording import state_words
 from ...engine.commands import AskMe, LetGo
 from ...engine.snapshots import Asked
-from .pupils import called, is_of
+from .pupils import called, members
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -93,8 +93,8 @@ class Asking(QObject):
         if lesson is None or snapshot is None:
             return self._chosen
         forest = snapshot.place.hierarchy
-        of_type = (node for node in self._chosen if is_of(forest, lesson.plan.type, node))
-        return tuple(of_type) or lesson.plan.nodes
+        of_type = members(forest, lesson.plan.type)
+        return tuple(node for node in self._chosen if node in of_type) or lesson.plan.nodes
 
     def _send(self) -> None:
         wanted = AskMe(self._nodes(), self.below, self.beyond) if self.on else AskMe()

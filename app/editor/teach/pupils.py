@@ -13,12 +13,12 @@ from ..selection import BehaviorKey
 
 def nodes_of(forest: Hierarchy, type_name: str) -> tuple[str, ...]:
     """The nodes of a type, parents first."""
-    return tuple(_by_type(_Same(forest)).get(type_name, {}))
+    return tuple(members(forest, type_name))
 
 
-def is_of(forest: Hierarchy, type_name: str, node_id: str) -> bool:
-    """Whether a node is there and of a type."""
-    return node_id in _by_type(_Same(forest)).get(type_name, {})
+def members(forest: Hierarchy, type_name: str) -> Mapping[str, Node]:
+    """The nodes of a type by id, parents first."""
+    return _by_type(_Same(forest)).get(type_name, {})
 
 
 class _Same:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import count
+from itertools import count, islice
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -18,7 +18,7 @@ from ..selection import BehaviorKey
 from .asking import Asking
 from .choosing import Choosing
 from .keeping import Keeping
-from .pupils import arms_with, is_of, nodes_of, state_of
+from .pupils import arms_with, members, state_of
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -303,9 +303,9 @@ class Teaching(QObject):
         snapshot = self._studio.snapshot
         if snapshot is None:
             return ()
-        forest = snapshot.place.hierarchy
-        chosen = tuple(node for node in self._studio.selection.nodes if is_of(forest, key.type, node))
-        return chosen or nodes_of(forest, key.type)[:1]
+        of_type = members(snapshot.place.hierarchy, key.type)
+        chosen = tuple(node for node in self._studio.selection.nodes if node in of_type)
+        return chosen or tuple(islice(of_type, 1))
 
     def _refuse_without_nodes(self, key: BehaviorKey) -> None:
         arms = arms_with(self._studio.document.project, key.type)
@@ -322,7 +322,7 @@ class Teaching(QObject):
 
     def _may_pick(self, node: str, lesson: LessonView) -> bool:
         snapshot = self._studio.snapshot
-        return snapshot is not None and is_of(snapshot.place.hierarchy, lesson.plan.type, node)
+        return snapshot is not None and node in members(snapshot.place.hierarchy, lesson.plan.type)
 
     def _free_name(self) -> str:
         automaton, key, project = self.automaton, self.key, self._studio.document.project

@@ -1,6 +1,7 @@
 """The tree of agents and controllers, as a user meets it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QMimeData, QModelIndex, Qt
@@ -213,6 +214,26 @@ def test_ten_thousand_agents_are_made_only_as_they_are_looked_at() -> None:
     assert len(model._entries) == 100
     assert model.find("agent-5050").data() == "Agent 5050"
     assert len(model._entries) == 200
+
+
+def test_a_name_in_a_large_forest_does_not_lay_it_out_anew() -> None:
+    model = ForestModel(lambda *_: False, lambda *_: False, lambda *_: "")
+    before = from_table([3, 1000], ["group", "agent"])
+    model.show(before)
+    agent = model.find("agent-1500")
+    told: list[tuple[QModelIndex, QModelIndex]] = []
+    model.modelReset.connect(lambda: told.append((QModelIndex(), QModelIndex())))
+    model.dataChanged.connect(lambda first, last, _: told.append((first, last)))
+    group = before.roots[1]
+    named = replace(group.children[499], name="Zoe")
+    children = (*group.children[:499], named, *group.children[500:])
+    model.show(Hierarchy((before.roots[0], replace(group, children=children), before.roots[2])))
+    assert [first.internalId() for first, _ in told] == [agent.parent().internalId(), agent.internalId()]
+    assert agent.data() == "Zoe"
+    assert model.find("agent-1500") == agent
+    model.show(Hierarchy(before.roots[1:]))
+    assert not told[-1][0].isValid()
+    assert model.rowCount() == 2
 
 
 def test_another_arm_shows_another_forest(panel: AgentsPanel, studio: Studio, qtbot: QtBot) -> None:
