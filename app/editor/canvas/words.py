@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from ...core.amounts import counted
 from ...core.telling import Speech
 from ...core.wording import reading_words, state_words
 from ...engine.snapshots import LessonView, Mode, Snapshot, Watched, WatchedLevel
@@ -89,7 +90,7 @@ def _level_words(studio: Studio, level: WatchedLevel) -> Iterator[str]:
         return
     library = document.project.library(level.type)
     state = state_words(automaton, level.state, library)
-    yield f"{automaton.name}: {state} for {level.ticks:,} tick{'' if level.ticks == 1 else 's'}"
+    yield f"{automaton.name}: {state} for {counted(level.ticks, 'tick')}"
     speech = Speech(targets={slot: target for slot, (target, _, _) in level.arguments.items()})
     told = [
         reading_words(use, level.values[use.id], document.scenario.vocabulary, speech)

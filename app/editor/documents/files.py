@@ -16,7 +16,6 @@ from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...core.storage import save
 from ...engine.scenarios import open_scenario
-from ...engine.snapshots import Mode
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..studio import Kind, Message
@@ -27,6 +26,7 @@ from .autosaving import Autosaving
 from .background import Background
 from .choosing import choose_folder
 from .held import Held, Then
+from .leaving import Leaving
 from .new_project import NewProject, Order
 from .opening import Opening, Wish
 from .outside import Stamps, changes, stamps_of
@@ -34,7 +34,7 @@ from .private import private_folder, unnamed_folder
 from .rows import file_rows
 from .save_as import SaveAs
 from .saving import Saving, Stored
-from .words import clock, many
+from .words import clock
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -66,6 +66,7 @@ class Files(QObject):
         self.opening = Opening(self)
         self.saving = Saving(self)
         self.autosaving = Autosaving(self)
+        self._leaving = Leaving(self)
         self._window = window
         self._looking = False
         self._told: tuple[str, ...] = ()
@@ -75,6 +76,11 @@ class Files(QObject):
     def rows(self) -> tuple[ActionRow, ...]:
         """The actions of the File menu."""
         return file_rows(self)
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether the user is being asked something in the window."""
+        return any(question.isVisible() for question in self._window.findChildren(Question))
 
     def ask(
         self,
@@ -285,73 +291,7 @@ class Files(QObject):
 
     def leave(self, then: Then) -> None:
         """Do *then*, which ends the work on the open project, once nothing can be lost by it."""
-        document = self.studio.document
-        if any(question.isVisible() for question in self._window.findChildren(Question)):
-            return  # something else is being asked
-        if self.saving.runs:
-            self.saving.afterwards(partial(self.leave, then))
-        elif self.studio.is_open and not document.is_saved:
-            self._ask_unsaved(then)
-        elif self.is_learning:
-            self._ask_learning(then)
-        else:
-            then()
-
-    @property
-    def is_learning(self) -> bool:
-        """Whether something is being learned."""
-        return self.studio.is_open and (self.studio.relearning.busy or self.studio.mode is Mode.LEARNING)
-
-    def _ask_unsaved(self, then: Then) -> None:
-        document = self.studio.document
-        steps = many(len(document.history.steps), "step")
-        where = "" if self.held.folder is None else f" in {self.held.folder}"
-        text = f"{document.project.name or 'This project'}{where} has unsaved changes ({steps} that can be undone)."
-        if self.is_learning:
-            text += (
-                " Something is still being learned; what comes of it is learned again when it is opened next."
-            )
-        self.ask(
-            "Save the changes?",
-            text,
-            (
-                Answer("Save", lambda: self.saving.save(partial(self._after_saving, then))),
-                Answer("Discard", then, "Close without saving; the changes are gone"),
-                Answer("Cancel"),
-            ),
-            look="content-save-outline",
-        )
-
-    def _after_saving(self, then: Then) -> None:
-        """Go on after saving, unless something else has become unsaved meanwhile."""
-        if self.studio.document.is_saved:
-            then()
-        else:
-            self.leave(then)
-
-    def _ask_learning(self, then: Then) -> None:
-        def wait() -> None:
-            self.studio.relearning.changed.connect(self._learned)
-            self.studio.bridge.mode_changed.connect(self._learned)
-            self._then = then
-            self._learned()
-
-        self.ask(
-            "Something is being learned",
-            "Behaviors are being learned from their examples. The examples are saved; what is not learned now can be "
-            "learned again at any time.",
-            (Answer("Wait for it", wait), Answer("Close now", then), Answer("Cancel")),
-            look="school-outline",
-        )
-
-    _then: Then | None = None
-
-    def _learned(self) -> None:
-        if self._then is not None and not self.is_learning:
-            then, self._then = self._then, None
-            self.studio.relearning.changed.disconnect(self._learned)
-            self.studio.bridge.mode_changed.disconnect(self._learned)
-            self.leave(then)
+        self._leaving.leave(then)
 
     def shut_down(self) -> None:
         """End what runs in the background."""

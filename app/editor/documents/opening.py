@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...core.amounts import counted
 from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...core.storage import FilesError, load
@@ -20,7 +21,7 @@ from .claims import Owner
 from .held import Held
 from .outside import Stamps, stamps_of
 from .private import private_folder, unnamed_folder
-from .words import clock, many, whose
+from .words import clock, whose
 
 if TYPE_CHECKING:
     from .background import Job
@@ -143,7 +144,7 @@ class Opening:
             kept = found.kept
             answers.insert(0, Answer("Open the autosave", lambda: self._files.recover(kept)))
         listed = "\n".join(str(problem) for problem in problems) or str(found.error)
-        count = f"{many(len(problems), 'problem')} in {wish.folder}" if problems else str(wish.folder)
+        count = f"{counted(len(problems), 'problem')} in {wish.folder}" if problems else str(wish.folder)
         told = f"{count}. Nothing has been changed."
         if found.kept is not None:
             told += f" What was autosaved at {clock(found.kept.at)} can be opened instead."

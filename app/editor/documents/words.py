@@ -7,18 +7,13 @@ from .claims import Owner
 
 
 def clock(at: datetime, now: datetime | None = None) -> str:
-    """A time of today as 20:41, otherwise with its day: "3 May 20:41"."""
+    """A time of today as 20:41, otherwise with its day: "3 May, 20:41"."""
     today = (now or datetime.now().astimezone()).date()
     hours = f"{at:%H:%M}"
     if at.date() == today:
         return hours
     year = f" {at.year}" if at.year != today.year else ""
     return f"{at.day} {at:%B}{year}, {hours}"
-
-
-def many(count: int, thing: str) -> str:
-    """A count with its noun: "1 problem", "3 problems"."""
-    return f"{count:,} {thing}{'' if count == 1 else 's'}"
 
 
 def whose(owner: Owner) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
+from ...core.amounts import counted
 from .pupils import called
 from .target_row import TargetRow
 
@@ -100,7 +101,7 @@ class IdlePage(QWidget):
         named = ", ".join(called(snapshot.place, node) for node in nodes[:MOST_NAMED])
         more = f" and {len(nodes) - MOST_NAMED} more" if len(nodes) > MOST_NAMED else ""
         known = len(studio.document.project.examples_of(key.type, key.id))
-        had = f" {automaton.name} has {known} example{'' if known == 1 else 's'}." if known else ""
+        had = f" {automaton.name} has {counted(known, 'example')}." if known else ""
         open_ = " and ".join(teaching.open)
         first = f" First choose what {open_} is." if open_ else ""
         return f"Teach {automaton.name} to {named}{more}.{first}{had} Others can be selected in the world."

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
+from ...core.amounts import counted
 from ...core.wording import example_words
 from ...engine.snapshots import Snapshot
 from .adding import AddList
@@ -220,10 +221,10 @@ class LessonPage(QWidget):
             if button is None:
                 continue
             count = counts.get(choice.state, 0) if choice.state else 0
-            told = f"{count} example{'' if count == 1 else 's'}" if choice.state else ""
+            told = counted(count, "example") if choice.state else ""
             button.dress(caption=told, ghost=not choice.state, dimmed=bool(choice.raises) and in_start)
         words, tip = self._kept_words()
-        self.badge.setText(f"{len(examples)} example{'' if len(examples) == 1 else 's'}{words}")
+        self.badge.setText(f"{counted(len(examples), 'example')}{words}")
         self.badge.setToolTip(tip)
         self.flow.arrange()
 

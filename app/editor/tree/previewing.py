@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from ...core.amounts import counted
 from ...core.tree import Branch, Tree
 from .confidence_page import ConfidencePage
 from .preview import Answer, Preview, Question
@@ -76,7 +77,7 @@ class Previewing(QObject):
             return
         self.tree, self._instead_of = answer.tree, learned
         before, after = _tests(learned), _tests(answer.tree)
-        self._page.tell(f"{before} test{'' if before == 1 else 's'} in the tree now, {after} then.")
+        self._page.tell(f"{counted(before, 'test')} in the tree now, {after} then.")
         self.changed.emit()
 
     def _keep(self, confidence: float | None, gesture: str) -> None:
