@@ -9,13 +9,16 @@ from ..core.errors import ParameterError
 from ..engine.bench.figures import Better, Figure, Measure, document
 from ..engine.bench.machine import is_busy, machine
 from ..engine.bench.subject import Program, Subject, UnmeasurableError, subject
-from ..engine.bench.table import MEASURES
+from ..engine.bench.table import MEASURES as ENGINE_MEASURES
 from ..engine.cores import cores
 from .console import progress, say, show, show_json, show_table
 from .exits import DONE, INTERRUPTED
 from .places import ROOT, shipped_bench, shipped_project
+from .studio_figures import studio_measures
 from .wording import counted, number, unknown
 
+#: All that is measured: the engine's figures, then the studio's.
+MEASURES = (*ENGINE_MEASURES, *studio_measures())
 PROJECT, FORAGER = "foraging", "forager"
 #: How the program is called in a process of its own. -P: another "app" in the folder where the user is, is not ours.
 COMMAND = (sys.executable, "-P", "-m", ROOT.name)
@@ -29,7 +32,8 @@ def measure(words: Sequence[str], *, full: bool, as_json: bool) -> int:
         figures that had been taken.
     """
     chosen = choose(words, full=full)
-    of = subject(shipped_project(PROJECT), shipped_bench(FORAGER), _program(), cores(), time.perf_counter)
+    folders = shipped_project(PROJECT), shipped_bench(FORAGER)
+    of = subject(*folders, _program(), cores(), time.perf_counter, full=full)
     on = machine(of.cores)
     if is_busy(of.cores):
         say("other programs keep this machine busy: figures will be worse than it is")

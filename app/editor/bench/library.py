@@ -1,7 +1,8 @@
 """How soon a large project is there, and how quick the window stays with it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from random import Random
 from statistics import median
@@ -65,28 +66,19 @@ def _times(stage: Stage, behaviors: int) -> Iterator[list[float]]:
     table, library = stage.window.docks["examples"].widget(), stage.window.docks["library"].widget()
     assert isinstance(table, ExamplesPanel)
     assert isinstance(library, LibraryPanel)
-    document, where = studio.document, (TYPE, LARGEST)
+    do, where = studio.document.do, (TYPE, LARGEST)
     names = [f"b{chance.randrange(1, max(2, behaviors))}" for _ in range(TIMES)]
-    yield [
-        stage.seconds_of(lambda n=n: studio.selection.select_behavior(BehaviorKey(TYPE, n))) for n in names
-    ]
-    yield [stage.seconds_of(lambda: studio.selection.select_behavior(BehaviorKey(*where)))]
-    nodes = studio.snapshot.place.agents if studio.snapshot is not None else ()
-    yield [stage.seconds_of(lambda n=n: studio.selection.select_nodes((n,))) for n in nodes[:TIMES]]
-    yield [
-        stage.seconds_of(lambda t=t: library.filter.setText(t)) for t in ("b", "be", "behavior1", "wa", "")
-    ]
-    labels = ("forward", "left", "right", None, "left")
-    yield [stage.seconds_of(lambda v=v: table.filters.choose(table.filters.label, v)) for v in labels]
-    table.filters.reset()
-    yield [
-        stage.seconds_of(lambda k=k: document.do(disable_examples, *where, [str(k)])) for k in range(TIMES)
-    ]
-    yield [
-        stage.seconds_of(lambda k=k: document.do(weight_examples, *where, [str(k)], 2.0))
-        for k in range(TIMES)
-    ]
-    yield [
-        stage.seconds_of(lambda n=n: document.do(rename_automaton, TYPE, n, f"Renamed{n}"))
-        for n in dict.fromkeys(names)
-    ]
+    nodes = stage.snapshot.place.agents[:TIMES]
+    show, select = studio.selection.select_behavior, studio.selection.select_nodes
+    kinds: tuple[Sequence[Callable[[], object]], ...] = (
+        [partial(show, BehaviorKey(TYPE, name)) for name in names],
+        [partial(show, BehaviorKey(*where))],
+        [partial(select, (node,)) for node in nodes],
+        [partial(library.filter.setText, text) for text in ("b", "be", "behavior1", "wa", "")],
+        [partial(table.filters.choose, table.filters.label, label) for label in ("forward", "left", None)],
+        [partial(do, disable_examples, *where, [str(k)]) for k in range(TIMES)],
+        [partial(do, weight_examples, *where, [str(k)], 2.0) for k in range(TIMES)],
+        [partial(do, rename_automaton, TYPE, name, f"Renamed{name}") for name in dict.fromkeys(names)],
+    )
+    for acts in kinds:
+        yield [stage.seconds_of(act) for act in acts]

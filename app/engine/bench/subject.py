@@ -42,6 +42,7 @@ class Subject:
         forager: The project that the loop written by hand does the same as.
         cores: How many there are to run on.
         shrink: Divides how much is done, so that tests need not wait; figures mean something only with 1.
+        full: Whether what can be done for longer is done for as long as its goal says.
     """
 
     folder: Path
@@ -52,6 +53,7 @@ class Subject:
     cores: int
     clock: Clock
     shrink: int = 1
+    full: bool = False
 
     def much(self, count: int) -> int:
         """*count*, shrunk."""
@@ -63,11 +65,13 @@ class Subject:
         return treatment(of, self.scenario, of.arm(name), settings)
 
 
-def subject(folder: Path, forager: Path, program: Program, cores: int, clock: Clock) -> Subject:
-    """What there is in these folders, to be measured in full.
+def subject(
+    folder: Path, forager: Path, program: Program, cores: int, clock: Clock, *, full: bool = False
+) -> Subject:
+    """What there is in these folders, to be measured in its full size.
 
     Raises:
         UnderstudyError: One of them holds no project.
     """
     project = load(folder)
-    return Subject(folder, project, load(forager), open_scenario(project), program, cores, clock)
+    return Subject(folder, project, load(forager), open_scenario(project), program, cores, clock, full=full)

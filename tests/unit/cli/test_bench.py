@@ -6,11 +6,10 @@ from collections.abc import Callable
 import pytest
 
 from app.cli import bench, main
-from app.cli.bench import choose, shown
+from app.cli.bench import MEASURES, choose, shown
 from app.core.errors import ParameterError
 from app.engine.bench.figures import Better, Measure
 from app.engine.bench.subject import Subject, UnmeasurableError
-from app.engine.bench.table import MEASURES
 
 Take = Callable[[Subject], float]
 
