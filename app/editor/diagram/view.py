@@ -111,7 +111,7 @@ class DiagramView(QGraphicsView):
     # ---------------------------------------------------------------------------------------------- the hand
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom around the pointer; with Shift, or on a touch pad, pan."""
+        """Zoom around the pointer; two fingers on a touch pad pan."""
         pixels = event.pixelDelta()
         if not pixels.isNull() and not event.modifiers():
             self._pan(pixels)
