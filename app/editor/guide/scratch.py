@@ -16,7 +16,7 @@ NAME = "First lesson"
 TYPE, WANDER, FORAGE = "agent", "wander", "forage"
 #: What Forage needs besides Wander, taught already.
 GIVEN = ("goto", "return-with-box")
-AGENTS, BOXES = 50, 25
+AGENTS, BOXES = 50, 40
 FOLDER = "projects/foraging"
 
 

@@ -184,7 +184,8 @@ FORAGING: tuple[Step, ...] = (
     Step(
         "It has found a box",
         "Let time pass (Space goes on and stops; + is faster). It stops by itself once a box is within the circle around "
-        "the agent, what it can see. Then pick ReturnWithBox: it fetches the box and pulls it home.",
+        "the agent, what it can see; while time stands still, you may also drag the agent to a box. Then pick "
+        "ReturnWithBox: it fetches the box and pulls it home.",
         "pick:ReturnWithBox",
         _picked("return-with-box"),
         _when("sees"),
