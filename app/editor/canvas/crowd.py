@@ -18,6 +18,8 @@ from .scene import called
 FADED = 0.2
 #: So many selected agents get a ring, a trail and ranges each; so many agents a trail if the user wants all.
 MOST_RINGS, MOST_TRAILS, MOST_RANGES, MOST_OF_ALL = 400, 40, 8, 500
+#: Letters of the words beside the selected agent; the inspector has the rest.
+MOST_LETTERS = 48
 #: Pieces that a trail fades away in, and how much the newest is visible.
 PIECES, STRONGEST = 6, 0.75
 #: So many of the newest places are shown where all agents have trails.
@@ -172,6 +174,8 @@ def _paint_label(painter: QPainter, frame: Frame, ink: Ink, radius: float) -> No
     x, y = frame.places()
     doing = frame.coloring.entries[frame.coloring.entry[entity]].words
     words = f"{called(frame.scene.place, frame.nodes[-1])} · {doing}"
+    if len(words) > MOST_LETTERS:
+        words = f"{words[: MOST_LETTERS - 1]}…"
     size = ink.size(words, 11)
     left = x[entity] + radius + 8.0
     if left + size.width() > frame.camera.width - 4.0:

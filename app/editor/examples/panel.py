@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHeaderView,
     QInputDialog,
     QLabel,
     QMenu,
@@ -49,7 +49,19 @@ _WIDTHS = {
     Column.DEMONSTRATION: 112,
     Column.WEIGHT: 64,
 }
+#: Pixels that the words get where room is short.
+LEAST_WORDS = 160
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
+
+
+class _Table(QTableView):
+    """The words get what room the other columns leave, and some in any case."""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """See above."""
+        super().resizeEvent(event)
+        others = sum(self.columnWidth(column) for column in Column if column is not Column.WORDS)
+        self.setColumnWidth(Column.WORDS, max(LEAST_WORDS, self.viewport().width() - others))
 
 
 class ExamplesPanel(QWidget):
@@ -84,7 +96,7 @@ class ExamplesPanel(QWidget):
         self.refresh()
 
     def _table(self) -> QTableView:
-        table = QTableView()
+        table = _Table()
         table.setModel(self.model)
         table.setAccessibleName("examples")
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -103,7 +115,6 @@ class ExamplesPanel(QWidget):
         for column, width in _WIDTHS.items():
             table.setColumnWidth(column, width)
         header.moveSection(Column.VERDICT, Column.NODE)  # seen without scrolling
-        header.setSectionResizeMode(Column.WORDS, QHeaderView.ResizeMode.Stretch)
         table.setItemDelegateForColumn(Column.LABEL, LabelDelegate(self.model, table))
         table.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(table))
         table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -151,10 +162,10 @@ class ExamplesPanel(QWidget):
         self._shown = now
         self.filters.offer(subject, examples)
         self._selecting = True
-        self.model.show(subject, examples)
+        self.model.show(subject, examples, self.filters.passes())
         self._selecting = False
         self._pages.setCurrentIndex(1 if examples else 0)
-        self._filter()
+        self._say_counts()
         if subject is not None and not self._closed:
             self._worker.ask(Matter(subject.automaton, examples))
 
@@ -171,6 +182,10 @@ class ExamplesPanel(QWidget):
         self._selecting = True
         self.model.keep(self.filters.passes())
         self._selecting = False
+        self._say_counts()
+
+    def _say_counts(self) -> None:
+        """Say how many pass, and select what is selected."""
         shown, there = self.model.counts
         self.filters.count.setText(f"{shown:,} of {there:,}" if shown != there else f"{there:,} examples")
         self.filters.clear.setEnabled(not self.filters.is_open)

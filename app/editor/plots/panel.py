@@ -46,8 +46,8 @@ class PlotsPanel(QWidget):
         self._record = Record()
         self._lines = Lines(BehaviorShares())
         self.view: LinesView | None = None
-        self.what = self._box("What is plotted")
-        self.whom = self._box("Of whom: the world, or what is below the selected controller")
+        self.what = self._box("What is plotted", 20)
+        self.whom = self._box("Of whom: the world, or what is below the selected controller", 14)
         self._lay_out()
         self._timer = QTimer(self, interval=REDRAW, singleShot=True)
         self._timer.timeout.connect(self.redraw)
@@ -63,11 +63,12 @@ class PlotsPanel(QWidget):
         studio.actions.add(plot_rows(self))
         self._offer()
 
-    def _box(self, tip: str) -> QComboBox:
+    def _box(self, tip: str, letters: int) -> QComboBox:
         box = QComboBox()
         box.setToolTip(tip)
         box.setAccessibleName(tip)
-        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumContentsLength(letters)  # names of any length would make the window wide
         return box
 
     def _lay_out(self) -> None:

@@ -131,6 +131,8 @@ def test_names_of_any_length_leave_the_window_as_narrow_as_the_user_made_it(
     studio.selection.select_behavior(BehaviorKey("agent", behavior))
     studio.selection.select_nodes(("agent-1",))
     if mode == "in a lesson":
+        window.show_panel("plots")
+        studio.actions["run.step"].trigger()
         studio.teaching.teach()
         qtbot.waitUntil(lambda: studio.mode is Mode.TEACHING, timeout=PATIENCE)
     panel = window.docks["graph"]
