@@ -67,6 +67,15 @@ class Subject:
     vocabulary: Vocabulary
 
 
+def _counted(example: Example) -> int:
+    """Ids that are numbers in their order; thousands of numbers are compared sooner than texts."""
+    return int(example.id)
+
+
+def _spelled(example: Example) -> tuple[int, str]:
+    return len(example.id), example.id
+
+
 class ExamplesModel(QAbstractTableModel):
     """Rows are examples that pass the filter, in the order that was asked for.
 
@@ -89,10 +98,20 @@ class ExamplesModel(QAbstractTableModel):
 
     # ------------------------------------------------------------------------------------------- what is shown
 
-    def show(self, subject: Subject | None, examples: tuple[Example, ...]) -> None:
-        """Show these examples of *subject*."""
+    def show(
+        self,
+        subject: Subject | None,
+        examples: tuple[Example, ...],
+        passes: Callable[[Example], bool] | None = None,
+    ) -> None:
+        """Show these examples of *subject*.
+
+        Args:
+            passes: Show only those that pass; by what `keep` was told last, if it is not given.
+        """
         self.subject = subject
         self._all = examples
+        self._passes = passes or self._passes
         self._arrange()
 
     def judge(self, verdicts: Mapping[str, Verdict]) -> None:
@@ -156,7 +175,7 @@ class ExamplesModel(QAbstractTableModel):
                 order = {verdict: place for place, verdict in enumerate(Verdict)}
                 return lambda example: order[self.verdict(example)]
             case _:
-                return lambda example: (len(example.id), example.id)
+                return _counted if all(example.id.isdecimal() for example in self._shown) else _spelled
 
     def _state(self, state_id: str) -> str:
         assert self.subject is not None

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ...core.edits import add_demonstration, remove_demonstration, replace_demonstration
 from ...core.errors import EditError
+from ...core.examples import Example
 from ...core.project import Demonstration, Project
 from ...engine.snapshots import Demonstrated, Picked, TakenBack
 
@@ -16,6 +19,17 @@ if TYPE_CHECKING:
     from .teaching import Teaching
 
 FLAG = "keep_demonstrations"
+
+
+_Sizes = tuple[tuple[Example, ...], Mapping[str, int]]
+_last: list[_Sizes] = []  # thousands of examples are counted once, though many ask
+
+
+def demonstrations_of(examples: tuple[Example, ...]) -> Mapping[str, int]:
+    """How many examples are filed under each name."""
+    if not _last or _last[0][0] is not examples:
+        _last[:] = [(examples, Counter(example.demonstration for example in examples))]
+    return _last[0][1]
 
 
 class Keeping(QObject):
@@ -66,8 +80,8 @@ class Keeping(QObject):
         there = {demonstration.id for demonstration in project.demonstrations}
         if filed in there - self._mine:
             return f"there is a demonstration {filed!r} already. File the lesson under another name"
-        examples = project.examples_of(type_name, automaton_id)
-        others = sum(e.demonstration not in there and e.demonstration != filed for e in examples)
+        sizes = demonstrations_of(project.examples_of(type_name, automaton_id))
+        others = sum(size for name, size in sizes.items() if name not in there and name != filed)
         if others:
             were = "example of it is" if others == 1 else "examples of it are"
             return f"{others} {were} from no demonstration, and would be lost when demonstrations are played"

@@ -17,7 +17,7 @@ from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot,
 from ..selection import BehaviorKey
 from .asking import Asking
 from .choosing import Choosing
-from .keeping import Keeping
+from .keeping import Keeping, demonstrations_of
 from .pupils import arms_with, members, state_of
 
 if TYPE_CHECKING:
@@ -328,7 +328,7 @@ class Teaching(QObject):
         automaton, key, project = self.automaton, self.key, self._studio.document.project
         if automaton is None or key is None:
             return ""
-        used = {example.demonstration for example in project.examples_of(key.type, key.id)}
+        used = set(demonstrations_of(project.examples_of(key.type, key.id)))
         used |= {demonstration.id for demonstration in project.demonstrations}
         name = slug(automaton.name)
         return next(free for n in count(1) if (free := f"{name}-{n}") not in used)
