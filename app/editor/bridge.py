@@ -65,6 +65,7 @@ class Bridge(QObject):
     mode_changed = Signal()
     event_came = Signal(object)
     told = Signal(str)
+    _answered = Signal()
 
     def __init__(self, document: Document, make: Callable[..., EngineThread] = EngineThread) -> None:
         super().__init__()
@@ -80,6 +81,8 @@ class Bridge(QObject):
         document.project_changed.connect(self._project_changed)
         self._timer = QTimer(self, interval=FRAME, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.poll)
+        # An answer is looked at as soon as it is there: up to a frame sooner.
+        self._answered.connect(self.poll, Qt.ConnectionType.QueuedConnection)
 
     # ------------------------------------------------------------------------------------- beginning, ending
 
@@ -91,7 +94,8 @@ class Bridge(QObject):
         self._engine = self._make(
             lambda wake: Session(
                 project, document.scenario, arm, seed, WorkerLearner(wake), settings, KernelCompiler(wake)
-            )
+            ),
+            answered=self._answered.emit,
         )
         self._timer.start()
 

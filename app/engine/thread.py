@@ -12,6 +12,9 @@ from .pace import FRAME, Pace
 from .session import Session
 from .snapshots import Event, Refused, Snapshot
 
+#: A frame may be shown by so much of its length sooner than due: ticks come at the same pace, but not as evenly, and
+#: every second one would be missed.
+EARLY = 0.25
 #: Snapshots that take long are shown less often, so that ticks get at least so many times what they take.
 SHARE = 6
 #: Makes the session, given what wakes the thread up.
@@ -29,13 +32,19 @@ class EngineThread:
     """
 
     def __init__(
-        self, make: MakeSession, clock: Callable[[], float] = monotonic, wake: Condition | None = None
+        self,
+        make: MakeSession,
+        clock: Callable[[], float] = monotonic,
+        wake: Condition | None = None,
+        answered: Callable[[], None] = lambda: None,
     ) -> None:
         """Start the thread, in which the session is made, paused; nobody has to wait for it.
 
         Args:
             make: Makes the session; it is given a function that wakes the thread.
             clock, wake: Give seconds and let the thread sleep; passed in so that tests can do without real time.
+            answered: Called from the thread when there is a snapshot that somebody waits for: a command was obeyed, or the
+                first tick after it has passed. It must only wake somebody up.
         """
         self.broken = ""
         self._make = make
@@ -46,6 +55,8 @@ class EngineThread:
         self._tickets = 0
         self._stop = False
         self._nudged = False
+        self._answered = answered
+        self._obeyed = False  # and no tick has been shown since
         self._session: Session | None = None
         self._newest: Snapshot | None = None
         self._pace = Pace(clock)
@@ -199,8 +210,12 @@ class EngineThread:
         if ticks:
             session.pass_ticks(ticks)
             self._pace.passed(ticks)
-        if answering or not session.playing or self._clock() >= self._show_at:
+        awaited = answering or (self._obeyed and ticks > 0)
+        self._obeyed = (answering or self._obeyed) and not ticks
+        if awaited or not session.playing or self._clock() >= self._show_at:
             self._publish(session)
+        if awaited:
+            self._answered()
 
     def _obey(self, session: Session) -> bool:
         """Obey the commands that have come; whether somebody waits for an answer."""
@@ -215,7 +230,8 @@ class EngineThread:
         began = self._clock()
         snapshot, events = session.snapshot(), session.events()
         ended = self._clock()
-        self._show_at = ended + max(FRAME, SHARE * (ended - began))  # a large world is not shown all the time
+        # A large world is not shown all the time.
+        self._show_at = max(began + (1.0 - EARLY) * FRAME, ended + SHARE * (ended - began))
         self._post(snapshot, events)
 
     def _post(self, snapshot: Snapshot, events: list[Event]) -> None:

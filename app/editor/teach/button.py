@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import lru_cache
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QEnterEvent, QFontMetricsF, QPainter, QPaintEvent, QPen
@@ -67,9 +68,7 @@ class BehaviorButton(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         """As wide as its words."""
-        name = QFontMetricsF(text_font()).horizontalAdvance(self.text())
-        caption = QFontMetricsF(text_font(CAPTION - 1)).horizontalAdvance(self._caption)
-        words = min(LONGEST_NAME, max(name, caption)) + 6
+        words = min(LONGEST_NAME, _words_width(self.text(), self._caption)) + 6
         key = KEY + GAP if self.key else 0
         return QSize(round(EDGE + SWATCH + GAP + words + key + EDGE), HEIGHT)
 
@@ -148,3 +147,12 @@ class BehaviorButton(QAbstractButton):
         painter.setFont(text_font(CAPTION))
         painter.setPen(mixed(colors.dim, colors.panel, 0.45) if faint else QColor(colors.text))
         painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, self.key)
+
+
+@lru_cache(maxsize=1_000)  # asked for many times whenever buttons are placed
+def _words_width(name: str, caption: str) -> float:
+    """Pixels that the longer of the two lines takes."""
+    return max(
+        QFontMetricsF(text_font()).horizontalAdvance(name),
+        QFontMetricsF(text_font(CAPTION - 1)).horizontalAdvance(caption),
+    )

@@ -57,6 +57,21 @@ def answered(thread: EngineThread, command: Command) -> Snapshot:
     return thread.wait_for(lambda snapshot: snapshot.acknowledged >= ticket)
 
 
+def test_whoever_waits_for_an_answer_is_woken_by_it_and_by_the_tick_that_carries_it_out() -> None:
+    woken = Event()
+    thread = EngineThread(
+        lambda _: Session(project(), corridor, "alone", settings=UNCOMPILED), answered=woken.set
+    )
+    try:
+        for command in (Pause(), Step()):
+            woken.clear()
+            ticket = thread.send(command)
+            assert woken.wait(10.0)
+            assert newest(thread).acknowledged >= ticket
+    finally:
+        thread.close()
+
+
 def newest(thread: EngineThread) -> Snapshot:
     """The newest snapshot of a thread that has begun."""
     assert thread.newest is not None
