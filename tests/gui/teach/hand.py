@@ -107,8 +107,8 @@ class Hand:
         """Wait until the session has answered all that was asked, and the actions say what is possible."""
         engine = self.studio.bridge._engine
         assert engine is not None
-        self.wait(lambda: self.snapshot.acknowledged >= engine._tickets)
-        self.wait(lambda: not self.studio._soon.isActive())
+        # Both at once: while the one is waited for, background learning may ask for the other again.
+        self.wait(lambda: self.snapshot.acknowledged >= engine._tickets and not self.studio._soon.isActive())
 
     def click(self, widget: QWidget) -> None:
         """Click a widget that can be seen."""
