@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
+    QCompleter,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -183,8 +184,12 @@ class ExperimentBuilder(QDialog):
         box.addItems(self.settings())
         box.setCurrentText(setting)
         box.setAccessibleName("setting")
+        completer = QCompleter(self.settings(), box)
+        completer.setFilterMode(Qt.MatchFlag.MatchContains)  # "boxes" finds "world.boxes"
+        box.setCompleter(completer)
         self.factors.setCellWidget(row, 0, box)
         self.factors.setItem(row, 1, QTableWidgetItem(values))
+        box.setFocus()
 
     def _claims_page(self) -> QWidget:
         page = QWidget()
@@ -244,7 +249,12 @@ class ExperimentBuilder(QDialog):
     def _factor_row(self, row: int) -> tuple[str, str]:
         box, item = self.factors.cellWidget(row, 0), self.factors.item(row, 1)
         assert isinstance(box, QComboBox)
-        return box.currentText().strip(), "" if item is None else item.text()
+        return self._setting(box.currentText().strip()), "" if item is None else item.text()
+
+    def _setting(self, typed: str) -> str:
+        """A setting by what the user calls it: a parameter of the world needs no more than its name."""
+        world = f"world.{typed}"
+        return world if typed not in self.settings() and world in self.settings() else typed
 
     def _claim_row(self, row: int) -> tuple[str, Kind, str, str]:
         boxes = [self.claims.cellWidget(row, column) for column in range(4)]

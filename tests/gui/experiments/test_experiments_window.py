@@ -77,7 +77,9 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
     qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 8, timeout=PATIENCE)
     assert len(window.pages.curves.names) == 4
+    window.pages.setCurrentIndex(1)
     assert window.pages.arms.rowCount() == 4
+    window.pages.setCurrentIndex(2)
     assert window.pages.claims.rowCount() > 0
     assert told(window, "Finished: 8 runs")
 
