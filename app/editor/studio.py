@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from ..core.automaton import START
 from ..core.errors import UnderstudyError
 from ..core.project import Arm, Project, Value
 from ..engine.commands import RedoMove, UseArm
@@ -95,7 +96,7 @@ class Studio(QObject):
         self.relearning = Relearning(self.document, settings)
         self.teaching = Teaching(self)
         self._undo_ticket = self._undos_waiting = 0
-        self._arm = ""
+        self._arm, self._state_wanted = "", False
         self._settings: Mapping[str, Value] = {}
         self._soon = QTimer(self, interval=0, singleShot=True)
         self._soon.timeout.connect(self._refresh)
@@ -112,6 +113,7 @@ class Studio(QObject):
         self.theme.changed.connect(self.actions.dress)
         self.settings.changed.connect(self._setting_changed)
         selection.nodes_changed.connect(self._watch)
+        selection.nodes_changed.connect(self._want_state)
         self.teaching.changed.connect(self._watch)
         for signal in (
             document.history_changed,
@@ -213,6 +215,22 @@ class Studio(QObject):
         nodes, pupils = self.selection.nodes[-MOST_WATCHED:], self.teaching.nodes[:MOST_WATCHED]
         self.watching.want("studio", (*nodes, *pupils, self.teaching.node))
 
+    def _want_state(self) -> None:
+        """Where no state was chosen, show how the one decides that a node is in which has just been selected."""
+        self._state_wanted = bool(self.selection.node) and self.selection.state == START
+
+    def _show_state(self, snapshot: Snapshot) -> None:
+        watched, behavior = snapshot.watched.get(self.selection.node), self.selection.behavior
+        if watched is None or behavior is None:
+            return
+        self._state_wanted = False
+        for level in watched.levels:
+            if (level.type, level.automaton) == (
+                behavior.type,
+                behavior.id,
+            ) and self.selection.state == START:
+                self.selection.select_state(level.state)
+
     # ------------------------------------------------------------------------------------- undo and redo
 
     def undo(self) -> None:
@@ -248,6 +266,8 @@ class Studio(QObject):
             self._undo_next()
 
     def _snapshot_changed(self, snapshot: Snapshot) -> None:
+        if self._state_wanted:
+            self._show_state(snapshot)
         if self._undo_ticket and snapshot.acknowledged >= self._undo_ticket:
             self._undo_ticket = 0
             self._undo_next()

@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
+from app.core.automaton import START
 from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.editor.actions import MENUS
@@ -140,3 +141,16 @@ def test_names_of_any_length_leave_the_window_as_narrow_as_the_user_made_it(
     QApplication.processEvents()
     assert window.minimumSizeHint().width() <= 1280
     assert window.width() == 1280
+
+
+def test_selecting_an_agent_shows_how_the_state_decides_that_it_is_in(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.keyClick(window, Qt.Key.Key_Period)
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick == 1, timeout=PATIENCE)
+    studio.selection.select_nodes(("agent-1",))
+    qtbot.waitUntil(lambda: studio.selection.state != START, timeout=PATIENCE)
+    chosen = studio.selection.state
+    studio.selection.select_nodes(("agent-2",))  # a state that is shown stays
+    qtbot.waitUntil(lambda: studio.snapshot is not None and "agent-2" in studio.snapshot.watched)
+    assert studio.selection.state == chosen
