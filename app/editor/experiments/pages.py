@@ -39,11 +39,14 @@ class Pages(QTabWidget):
         self.compare = ComparePage(window)
         self.exporting = Exporting(window)
         self.setDocumentMode(True)
-        self.addTab(self._curves_page(), "Curves")
-        self.addTab(table_view(self.arms, "arms"), "Arms")
-        self.addTab(table_view(self.claims, "claims"), "Claims")
+        self._curves_view = self._curves_page()
+        self._arms_view, self._claims_view = table_view(self.arms, "arms"), table_view(self.claims, "claims")
+        self.addTab(self._curves_view, "Curves")
+        self.addTab(self._arms_view, "Arms")
+        self.addTab(self._claims_view, "Claims")
         self.addTab(self.runs, "Runs")
         self.addTab(self.compare, "Side by side")
+        self.currentChanged.connect(lambda _: self._fill())
         window.studio.theme.changed.connect(self._show_curves)
 
     def _curves_page(self) -> QWidget:
@@ -69,16 +72,23 @@ class Pages(QTabWidget):
         self.measure.setCurrentText(panels[0] if panels else (measures[0] if measures else ""))
 
     def show_found(self, found: Findings | None) -> None:
-        """Show what was found so far."""
-        self.found = found
-        if found is None:
-            self.arms.show([], [])
-            self.claims.show([], [])
-        else:
-            self.arms.show(arm_columns(found), arm_rows(found), words_in_arms(found.experiment))
-            self.claims.show(claim_columns(found), claim_rows(found), len(claim_columns(found)))
-        self._show_curves()
-        self.exporting.refresh(found)
+        """Show what was found so far; pages in the back are filled when they are turned to."""
+        if found is None or found is not self.found:
+            self.found = found
+            self._fill()
+            self.exporting.refresh(found)
+
+    def _fill(self) -> None:
+        """Fill the page in front."""
+        found, page = self.found, self.currentWidget()
+        if page is self._arms_view:
+            rows = ([], []) if found is None else (arm_columns(found), arm_rows(found))
+            self.arms.show(*rows, 1 if found is None else words_in_arms(found.experiment))
+        elif page is self._claims_view:
+            rows = ([], []) if found is None else (claim_columns(found), claim_rows(found))
+            self.claims.show(*rows, len(rows[0]))
+        elif page is self._curves_view:
+            self._show_curves()
 
     def _show_curves(self) -> None:
         self.curves.show_findings(self.found, self.measure.currentText())
