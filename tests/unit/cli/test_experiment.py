@@ -8,8 +8,8 @@ import pytest
 
 from app.cli import experiment as verb
 from app.cli import main
-from app.editor.drawing.experiment_chart import chart_of
 from app.editor.drawing.curves import Chart
+from app.editor.drawing.experiment_chart import chart_of
 from app.editor.drawing.figures import FigureError
 from app.engine.experiments.findings import Findings, findings
 from app.engine.experiments.plan import Design, Experiment, Panel
