@@ -4,8 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from ..core.hierarchy import Hierarchy
+from ..core.hierarchy import Hierarchy, Node
 from ..core.project import Value
+from ..core.wording import node_words
+from ..sim.columns import AGENT
 from ..sim.engine import Engine
 from ..sim.look import SettledLook, settled
 
@@ -43,6 +45,23 @@ class Place:
     def agents(self) -> tuple[str, ...]:
         """Agents by number, which is also the number of their entity."""
         return tuple(node.id for node in self.hierarchy.agents())
+
+    @cached_property
+    def _names(self) -> Mapping[str, str]:
+        return {node.id: node_words(node) for node in self.hierarchy.walk()}
+
+    def called(self, node_id: str) -> str:
+        """What the user calls a node; one that is not here goes by its id."""
+        return self._names.get(node_id) or node_words(Node(node_id, ""))
+
+    def entity_called(self, entity: int) -> str:
+        """What the user calls an entity: an agent by its name, ``box 3``, or just ``deposit`` where there is but one."""
+        for kind, span in self.spans.items():
+            if entity in span:
+                if kind == AGENT:
+                    return self.called(self.agents[entity - span.start])
+                return kind if len(span) == 1 else f"{kind} {entity - span.start + 1}"
+        return "nothing"
 
 
 def place_of(engine: Engine, arm: str) -> Place:

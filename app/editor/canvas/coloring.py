@@ -15,7 +15,7 @@ from ...engine.place import Place
 from ...sim.doing import NONE, BehaviorRef, Doing, Rows
 from ..behavior_colors import BehaviorColors, nth_color
 from ..palette import BASIC
-from .scene import Scene, called
+from .scene import Scene
 
 
 class ColorBy(StrEnum):
@@ -184,7 +184,7 @@ def _groups_of(place: Place) -> tuple[tuple[Entry, ...], NDArray[np.int64]]:
     entries = []
     for k, group in enumerate(groups):
         color = nth_color(k)
-        entries.append(Entry(called(place, group), (color.red(), color.green(), color.blue())))
+        entries.append(Entry(place.called(group), (color.red(), color.green(), color.blue())))
     grey = QColor(BASIC)
     alone = Entry(ALONE, (grey.red(), grey.green(), grey.blue()))
     return (*entries, alone), entry

@@ -12,7 +12,6 @@ from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
 from .ink import Ink
-from .scene import called
 
 #: How much those stay visible that the legend does not light up.
 FADED = 0.2
@@ -173,7 +172,7 @@ def _paint_label(painter: QPainter, frame: Frame, ink: Ink, radius: float) -> No
         return
     x, y = frame.places()
     doing = frame.coloring.entries[frame.coloring.entry[entity]].words
-    words = f"{called(frame.scene.place, frame.nodes[-1])} · {doing}"
+    words = f"{frame.scene.place.called(frame.nodes[-1])} · {doing}"
     if len(words) > MOST_LETTERS:
         words = f"{words[: MOST_LETTERS - 1]}…"
     size = ink.size(words, 11)

@@ -8,7 +8,6 @@ import numpy as np
 from PySide6.QtWidgets import QMenu
 
 from .frame import Frame
-from .scene import called
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -40,11 +39,11 @@ def fill_menu(menu: QMenu, studio: Studio, frame: Frame, entity: int, controller
 
 def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
     place, select = frame.scene.place, studio.selection.select_nodes
-    name = called(place, node)
+    name = place.called(node)
     menu.addAction(f"Select {name}", lambda: select((node,)))
     parent = place.hierarchy.parents().get(node)
     if parent is not None:
-        menu.addAction(f"Select its controller {called(place, parent)}", lambda: select((parent,)))
+        menu.addAction(f"Select its controller {place.called(parent)}", lambda: select((parent,)))
     first = frame.scene.doing.controllers
     if place.rows[node] < first:
         under = tuple(child.id for child in place.hierarchy.node(node).children)

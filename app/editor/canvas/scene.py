@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from ...core.examples import Moment
 from ...core.hierarchy import Hierarchy, Node
 from ...core.project import Project
-from ...core.wording import node_words
 from ...engine.place import Place
 from ...engine.snapshots import Snapshot
 from ...sim.columns import AGENT, Kind
@@ -69,11 +68,7 @@ class Scene:
 
     def called(self, entity: int) -> str:
         """What the user calls an entity: an agent by its name, ``box 3``, or just ``deposit`` where there is but one."""
-        if node := self.node(entity):
-            return called(self.place, node)
-        kind = self.kind(entity)
-        span = self.place.spans[kind]
-        return kind if len(span) == 1 else f"{kind} {entity - span.start + 1}"
+        return self.place.entity_called(entity)
 
     def entity(self, node: str) -> int:
         """The entity of an agent, -1 if the node is none."""
@@ -97,17 +92,6 @@ class Scene:
         more = AROUND * size
         across, down = max(0.0, size * FLAT - (right - left)) / 2, max(0.0, size * FLAT - (top - bottom)) / 2
         return Extent(left - across - more, bottom - down - more, right + across + more, top + down + more)
-
-
-def called(place: Place, node: str) -> str:
-    """What the user calls a node."""
-    return names_of(place).get(node, node)
-
-
-@lru_cache(maxsize=2)  # the live world's, and a stored moment's
-def names_of(place: Place) -> Mapping[str, str]:
-    """What the user calls each node, by id."""
-    return {node.id: node_words(node) for node in place.hierarchy.walk()}
 
 
 def live(snapshot: Snapshot) -> Scene:

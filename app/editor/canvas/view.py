@@ -22,7 +22,7 @@ from .legend import Legend
 from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
 from .painting import paint
 from .rows import camera_rows, color_rows, shown_rows
-from .scene import Scene, called, live, remembered
+from .scene import Scene, live, remembered
 from .surface import Surface
 from .trails import Trails
 
@@ -224,7 +224,7 @@ class WorldCanvas(Surface):
         self.hovering.nothing()
         self.scene = scene
         self.looking.look_aside(scene)
-        words = f"{caption}: {called(scene.place, node) or node}, tick {scene.tick:,}"
+        words = f"{caption}: {scene.place.called(node)}, tick {scene.tick:,}"
         self.moment.show_notice(Notice(words, button="Back to now (Esc)", act=self.back_to_now))
         self._changed_scene()
 

@@ -9,7 +9,7 @@ from ...core.amounts import counted
 from ...core.telling import Speech
 from ...core.wording import reading_words, state_words
 from ...engine.snapshots import LessonView, Mode, Snapshot, Watched, WatchedLevel
-from .scene import Scene, called
+from .scene import Scene
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -48,7 +48,7 @@ def _several(snapshot: Snapshot, nodes: list[str]) -> str:
 
 def _within(snapshot: Snapshot, node: str) -> str:
     """What a node is called within a sentence: one that has no name of its own is not written large."""
-    name = called(snapshot.place, node)
+    name = snapshot.place.called(node)
     return name[:1].lower() + name[1:] if name.lower() == node.lower().replace("-", " ") else name
 
 
@@ -65,7 +65,7 @@ def entity_words(studio: Studio, scene: Scene, entity: int, watched: Watched | N
 
 def node_words(studio: Studio, scene: Scene, node: str, watched: Watched | None) -> tuple[str, ...]:
     """Lines about a node: its name, what runs on it from outside inward, and what it sees."""
-    lines = [called(scene.place, node), path_words(scene, node) or "idles"]
+    lines = [scene.place.called(node), path_words(scene, node) or "idles"]
     entity = scene.entity(node)
     if entity >= 0 and (held := int(scene.held[entity])) >= 0:
         lines.append(f"attached to {scene.called(held)}")

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from ...core.wording import state_words
 from ...engine.commands import AskMe, LetGo
 from ...engine.snapshots import Asked
-from .pupils import called, members
+from .pupils import members
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -74,7 +74,7 @@ class Asking(QObject):
         """The question, to be read."""
         studio = self._studio
         automaton = studio.document.automaton(asked.type, asked.automaton)
-        who = called(studio.snapshot.place, asked.node) if studio.snapshot else asked.node
+        who = studio.snapshot.place.called(asked.node) if studio.snapshot else asked.node
         if automaton is None:
             return f"{who} is not sure. What should it do?"
         library = studio.document.project.library(asked.type)

@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject, Signal
 from ...core.automaton import Basic, Nested
 from ...core.features import Binding, Ground, Parameter
 from .choices import Choice
-from .pupils import entity_called
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -122,7 +121,7 @@ class Choosing(QObject):
             self._end_asking()
             self.several.emit(slot, tuple(names))
         else:
-            self._studio.warn(_nobody_means(entity_called(place, entity), meanings))
+            self._studio.warn(_nobody_means(place.entity_called(entity), meanings))
             self.ask_for(slot)
 
     def cancel(self) -> None:

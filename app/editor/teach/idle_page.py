@@ -8,7 +8,6 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from ...core.amounts import counted
-from .pupils import called
 from .target_row import TargetRow
 
 if TYPE_CHECKING:
@@ -98,7 +97,7 @@ class IdlePage(QWidget):
         nodes = teaching.nodes
         if not nodes:
             return f"{automaton.name} is for nodes of type {key.type}, but there is none in this arm. Teach offers arms that have one."
-        named = ", ".join(called(snapshot.place, node) for node in nodes[:MOST_NAMED])
+        named = ", ".join(snapshot.place.called(node) for node in nodes[:MOST_NAMED])
         more = f" and {len(nodes) - MOST_NAMED} more" if len(nodes) > MOST_NAMED else ""
         known = len(studio.document.project.examples_of(key.type, key.id))
         had = f" {automaton.name} has {counted(known, 'example')}." if known else ""

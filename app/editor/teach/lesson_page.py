@@ -15,7 +15,6 @@ from .adding import AddList
 from .button import BehaviorButton, Ring
 from .choices import Choice, choices_of, examples_by_label
 from .flow import ButtonFlow, Rows
-from .pupils import called
 from .target_row import TargetRow
 from .told import Told
 
@@ -249,7 +248,7 @@ class LessonPage(QWidget):
                 if teaching.node in nodes[:] and len(nodes) > 1
                 else ""
             )
-            self.turn.setText(at + called(snapshot.place, teaching.node))
+            self.turn.setText(at + snapshot.place.called(teaching.node))
         adding = teaching.choosing.adding is not None  # which needs the room
         self.turn.setVisible(not adding)
         self.next.setVisible(len(nodes) > 1 and not adding)

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 from ...engine.snapshots import Snapshot
 from .idle_page import IdlePage
 from .lesson_page import LessonPage
-from .pupils import called
 from .question import MOST_ANSWERS, QuestionBar
 from .rows import teach_panel_rows
 
@@ -67,7 +66,7 @@ class TeachPanel(QWidget):
         lesson, automaton = teaching.lesson, teaching.automaton
         if lesson is None or automaton is None or snapshot is None:
             return "Teach"
-        who = called(snapshot.place, teaching.node)
+        who = snapshot.place.called(teaching.node)
         return f"Testing {automaton.name}" if lesson.testing else f"Teaching {automaton.name} to {who}"
 
     def _ask(self) -> None:

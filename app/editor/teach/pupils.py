@@ -5,8 +5,6 @@ from functools import lru_cache
 
 from ...core.hierarchy import Hierarchy, Node
 from ...core.project import Project
-from ...core.wording import node_words
-from ...engine.place import Place
 from ...engine.snapshots import Snapshot
 from ..selection import BehaviorKey
 
@@ -60,19 +58,3 @@ def state_of(snapshot: Snapshot, node: str, key: BehaviorKey) -> str:
             if (ref.type, ref.automaton) == (key.type, key.id):
                 return ref.state
     return ""
-
-
-def called(place: Place, node_id: str) -> str:
-    """What the user calls a node."""
-    found = (nodes[node_id] for nodes in _by_type(_Same(place.hierarchy)).values() if node_id in nodes)
-    return node_words(next(found, Node(node_id, "")))
-
-
-def entity_called(place: Place, entity: int) -> str:
-    """What the user calls something in the world: an agent by its name, others by kind and number."""
-    for kind, span in place.spans.items():
-        if entity in span:
-            if kind == "agent":
-                return called(place, place.agents[entity - span.start])
-            return kind if len(span) == 1 else f"{kind} {entity - span.start + 1}"
-    return "nothing"

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from ...core.features import Binding, Ground
 from ..icons import icon
-from .pupils import entity_called
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -117,7 +116,7 @@ class TargetRow(QWidget):
         snapshot, meanings = self._studio.snapshot, self._choosing.meanings()
         if isinstance(binding, Ground) and snapshot is not None and binding.target in meanings:
             entity = meanings[binding.target]
-            now = "nobody now" if entity < 0 else entity_called(snapshot.place, entity)
+            now = "nobody now" if entity < 0 else snapshot.place.entity_called(entity)
             action.setText(f"{words}   ({now})")
         if isinstance(binding, Ground) and self._studio.teaching.key is not None:
             vocabulary = self._studio.document.vocabulary(self._studio.teaching.key.type)
