@@ -180,9 +180,16 @@ class ArmsPage(QWidget):
             return
         name = fresh_name([arm.name for arm in project.arms], "arm")
         first = project.types[0].name
-        top = next(iter(self._studio.document.types.repertoire(first)), "")
-        if self._do(add_arm, Arm(name, LevelTable((FEW,), (first,)), top)):
+        if self._do(add_arm, Arm(name, LevelTable((FEW,), (first,)), self._usual_top(first))):
             self.arms.edit(name)
+
+    def _usual_top(self, type_name: str) -> str:
+        """What roots of a type start with in another arm, or else a behavior of theirs, rather a composed one."""
+        document = self._studio.document
+        usual = [arm.top for arm in document.project.arms if root_types(arm) == {type_name}]
+        composed = [automaton.name for automaton in document.project.library(type_name).automata.values()]
+        known = document.types.repertoire(type_name)
+        return next((top for top in (*usual, *composed, *known) if top in known), "")
 
     def _copy(self) -> None:
         arm = self._arm

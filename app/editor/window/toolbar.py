@@ -148,7 +148,7 @@ class Toolbar(QToolBar):
     def _add_seed(self) -> None:
         self._caption("Seed")
         self.seed = QLineEdit("1")
-        self.seed.setFixedWidth(52)
+        self.seed.setFixedWidth(72)  # seeds of experiments have seven digits
         self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
         self.seed.returnPressed.connect(self._reset)
         self.addWidget(self.seed)

@@ -59,6 +59,13 @@ def test_an_arm_is_added_named_and_its_world_shown(dialog: ArmsDialog, studio: S
     qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.arm == "mine", timeout=PATIENCE)
 
 
+def test_a_new_arm_starts_with_what_others_start_with(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.mouseClick(dialog.arms.add, LEFT)
+    assert studio.document.project.arms[-1].top == studio.document.project.arms[0].top == "Forage"
+
+
 def test_a_forest_is_made_from_a_level_table(dialog: ArmsDialog, studio: Studio, qtbot: QtBot) -> None:
     page = dialog.arms
     page.arms.choose("independent")
