@@ -6,7 +6,7 @@ from collections.abc import Callable
 from random import Random
 
 from PySide6.QtCore import QAbstractItemModel, QItemSelectionModel, QModelIndex, QPoint, Qt
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QLineEdit
+from PySide6.QtWidgets import QAbstractItemView, QApplication
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import relabel_examples, weight_examples
@@ -82,15 +82,14 @@ class RandomUser(Hand):
             self.qtbot.keyClick(opened, Qt.Key.Key_Escape)
         for view in self.window.findChildren(QAbstractItemView):
             if view.state() is EDITING:
-                for editor in view.viewport().findChildren(QLineEdit):
-                    editor.setFocus()
-                    self.qtbot.keyClick(editor, Qt.Key.Key_Escape)
-                self._wait_for_editor(view)
+                self.wait(lambda: self._has_left(view))  # noqa: B023 - called at once
         self.window.setFocus()
 
-    def _wait_for_editor(self, view: QAbstractItemView) -> None:
-        """Qt takes an editor in only once it gets round to it."""
-        self.wait(lambda: view.state() is not EDITING)
+    def _has_left(self, view: QAbstractItemView) -> bool:
+        """Press Escape until no name is being typed any more."""
+        if view.state() is EDITING:
+            self.qtbot.keyClick(QApplication.focusWidget() or view, Qt.Key.Key_Escape)
+        return view.state() is not EDITING
 
     # -------------------------------------------------------------------------------------------- anything
 
@@ -207,7 +206,7 @@ class RandomUser(Hand):
             editor.selectAll()
             self.qtbot.keyClicks(editor, f"node{self.chance.randrange(9)}")
             self.qtbot.keyClick(editor, Qt.Key.Key_Return)
-            self._wait_for_editor(self._view("agents"))
+            self.wait(lambda: self._view("agents").state() is not EDITING)
         return "rename node"
 
     def _view(self, panel: str) -> QAbstractItemView:
