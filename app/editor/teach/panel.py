@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from ...engine.snapshots import Snapshot
+from .demonstrations_dialog import demonstration_rows
 from .idle_page import IdlePage
 from .lesson_page import LessonPage
 from .question import MOST_ANSWERS, QuestionBar
@@ -29,7 +30,7 @@ class TeachPanel(QWidget):
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
-        studio.actions.add(teach_panel_rows())
+        studio.actions.add((*teach_panel_rows(), *demonstration_rows(self)))
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.question = QuestionBar(studio)
         self.idle = IdlePage(studio)
