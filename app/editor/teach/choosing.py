@@ -82,7 +82,14 @@ class Choosing(QObject):
         """Begin to bind the slots of a behavior that is to become a state; it is picked once all are bound."""
         self._end_asking()
         self.adding, self.bindings = choice, {}
-        self.changed.emit()
+        self._ask_for_next(choice)
+
+    def _ask_for_next(self, choice: Choice) -> None:
+        """A click in the world can say at once what the first open slot is; the menus say it as well."""
+        if open_slots := [slot for slot in choice.slots if slot not in self.bindings]:
+            self.ask_for(open_slots[0])
+        else:
+            self.changed.emit()
 
     def bind(self, slot: str, binding: Binding) -> None:
         """Bind a slot."""
@@ -90,6 +97,8 @@ class Choosing(QObject):
         if self.adding is not None:
             self.bindings[slot] = binding
             self._pick_if_bound(self.adding)
+            if self.adding is not None:
+                self._ask_for_next(self.adding)
         elif isinstance(binding, Ground):
             self._teaching.set_argument(slot, binding.target)
         self.changed.emit()

@@ -233,7 +233,7 @@ class LessonPage(QWidget):
         if not keeping.on:
             return "", "Lessons are not kept as demonstrations (Teach > Keep as demonstration)"
         if why := keeping.obstacle:
-            return " · not kept", f"What is taught now is not kept as a demonstration: {why}."
+            return " · demonstration not kept", f"What is taught now is not kept as a demonstration: {why}."
         if keeping.is_kept:
             return " · kept", f"Kept as demonstration {filed!r}, which can be played again"
         return "", f"What you pick is kept as demonstration {filed!r}"

@@ -84,7 +84,7 @@ class TargetRow(QWidget):
         self.menus[slot] = button
         self._layout.addWidget(button)
         if self._choosing.wanted == slot:
-            told = QLabel("click it in the world…")
+            told = QLabel("or click it in the world now…")
             told.setProperty("role", "caption")
             self._layout.addWidget(told)
             return

@@ -138,7 +138,7 @@ class Teacher(Hand):
         choice = next(c for c in self.page.choices if c.name == name and c.slots)
         self.key(Qt.Key(ord(choice.key)))
         (slot,) = choice.slots
-        self.click(self.page.targets.clicks[slot])
+        assert self.studio.teaching.choosing.wanted == slot
         self.act(lambda: self.click_entity(entity))
         assert not self.studio.teaching.choosing.is_busy, self.said
 
