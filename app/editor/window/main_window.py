@@ -95,6 +95,7 @@ class MainWindow(QMainWindow):
         for dock in self.docks.values():
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
                 signal.connect(self._fold_titles)
+            dock.topLevelChanged.connect(self._settle)
         studio.actions.add(self._dock_rows())
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
@@ -161,6 +162,16 @@ class MainWindow(QMainWindow):
         """Titles only where no tab says the same."""
         for dock in self.docks.values():
             dock.fold_title(folded=not dock.isFloating() and bool(self.tabifiedDockWidgets(dock)))
+
+    def _settle(self, floating: bool) -> None:  # noqa: FBT001 - as Qt calls it
+        """Lay all docks out anew once one that floated is back: Qt leaves it where it floated if its place is the same."""
+
+        def lay_out() -> None:
+            self.setContentsMargins(0, 0, 1, 1)
+            QTimer.singleShot(0, self, lambda: self.setContentsMargins(0, 0, 0, 0))
+
+        if not floating:
+            QTimer.singleShot(0, self, lay_out)
 
     def _dock_rows(self) -> tuple[ActionRow, ...]:
         return (

@@ -154,3 +154,13 @@ def test_selecting_an_agent_shows_how_the_state_decides_that_it_is_in(
     studio.selection.select_nodes(("agent-2",))  # a state that is shown stays
     qtbot.waitUntil(lambda: studio.snapshot is not None and "agent-2" in studio.snapshot.watched)
     assert studio.selection.state == chosen
+
+
+def test_a_panel_that_floated_elsewhere_is_back_in_its_place(window: MainWindow, qtbot: QtBot) -> None:
+    dock = window.docks["graph"]
+    place = dock.geometry()
+    dock.setFloating(True)
+    dock.move(300, 200)
+    QApplication.processEvents()
+    dock.setFloating(False)
+    qtbot.waitUntil(lambda: dock.geometry().topLeft() == place.topLeft(), timeout=PATIENCE)
