@@ -6,7 +6,7 @@ from collections.abc import Callable
 from random import Random
 
 from PySide6.QtCore import QAbstractItemModel, QItemSelectionModel, QModelIndex, QPoint, Qt
-from PySide6.QtWidgets import QAbstractItemView, QApplication
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import relabel_examples, weight_examples
@@ -88,7 +88,11 @@ class RandomUser(Hand):
     def _has_left(self, view: QAbstractItemView) -> bool:
         """Press Escape until no name is being typed any more."""
         if view.state() is EDITING:
-            self.qtbot.keyClick(QApplication.focusWidget() or view, Qt.Key.Key_Escape)
+            self.window.activateWindow()  # as a window manager does
+            editor: QWidget | None = view.indexWidget(view.currentIndex())
+            editor = editor or QApplication.focusWidget() or view
+            editor.setFocus()
+            self.qtbot.keyClick(editor, Qt.Key.Key_Escape)
         return view.state() is not EDITING
 
     # -------------------------------------------------------------------------------------------- anything

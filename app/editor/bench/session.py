@@ -19,6 +19,8 @@ from .stage import Stage, crowded
 CROWD = 3_125
 #: Seconds between two things that the user does.
 PAUSE = 0.25
+#: Seconds that the window has been there before: until then, what is not needed at once is still imported.
+BEFORE = 2.5
 TYPE = "agent"
 
 
@@ -111,6 +113,7 @@ def lateness(stage: Stage, project: Project, seconds: float, crowd: int = CROWD)
     """By how many seconds each beat came too late while the user of the script worked for so long."""
     stage.open(crowded(project, crowd))
     stage.studio.settings.autosave_seconds = 1
+    stage.run(BEFORE)
     script, heart = Script(stage), Heartbeat()
     end = perf_counter() + seconds
     while perf_counter() < end:
