@@ -218,6 +218,8 @@ class Studio(QObject):
     def _want_state(self) -> None:
         """Where no state was chosen, show how the one decides that a node is in which has just been selected."""
         self._state_wanted = bool(self.selection.node) and self.selection.state == START
+        if self._state_wanted and self.snapshot is not None:
+            self._show_state(self.snapshot)  # while time stands still, no other may come
 
     def _show_state(self, snapshot: Snapshot) -> None:
         watched, behavior = snapshot.watched.get(self.selection.node), self.selection.behavior
