@@ -87,6 +87,11 @@ class Actions(QObject):
             self._rows[row.id] = row
             self._actions[row.id] = self._made(row)
 
+    def clear(self) -> None:
+        """Forget all rows: the window that they were for is gone."""
+        self._rows.clear()
+        self._actions.clear()
+
     def keys_of(self, action_id: str) -> str:
         """The shortcut in force: the user's, or the row's own."""
         return self._studio.settings.keys.get(action_id, self._rows[action_id].keys)

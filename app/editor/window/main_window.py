@@ -114,6 +114,7 @@ class MainWindow(QMainWindow):
         studio.opened.connect(self._opened)
         studio.document.history_changed.connect(self._titled)
         studio.show_panel.connect(self.show_panel)
+        self.destroyed.connect(studio.actions.clear)
         studio.world_wanted.connect(self.come_to_front)
         self.files.waiting.connect(self._waiting)
         self._opened()
