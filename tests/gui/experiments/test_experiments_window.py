@@ -9,7 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from app.core.edits import set_world
 from app.core.project import Project
+from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
 from app.editor.studio import Studio
@@ -54,6 +56,12 @@ def finished(window: ExperimentsWindow) -> bool:
     return look is not None and look.stage is Stage.FINISHED
 
 
+def made(window: ExperimentsWindow) -> list[tuple[int, int, float]]:
+    """The runs that there are, with how long each took: a run that is made again takes another time."""
+    assert window.kept is not None
+    return [(row.cell, row.run, row.seconds) for row in window.kept.rows]
+
+
 def small(window: ExperimentsWindow, name: str = "figure3", runs: int = 2) -> None:
     """Ask for so little that it takes no time."""
     window.listing.choose(name)
@@ -82,6 +90,12 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     window.pages.setCurrentIndex(2)
     assert window.pages.claims.rowCount() > 0
     assert told(window, "Finished: 8 runs")
+    before = made(window)
+    look = window.running.look
+    qtbot.mouseClick(window.controls.run, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: finished(window) and window.running.look is not look, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
+    assert made(window) == before
 
 
 def test_a_run_is_opened_in_the_world_at_a_tick_with_the_numbers_it_had(
@@ -203,9 +217,6 @@ def test_results_of_the_project_as_it_was_can_be_put_aside(
     small(window, runs=1)
     window.begin()
     qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
-    from app.core.edits import set_world
-    from app.editor.documents.asking import Question
-
     main.studio.document.do(set_world, "", {"boxes": 7})
     window.begin()
     qtbot.waitUntil(lambda: bool(window.findChildren(Question)), timeout=PATIENCE)
