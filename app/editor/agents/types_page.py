@@ -37,9 +37,7 @@ class TypesPage(QWidget):
         super().__init__()
         self._studio = studio
         self._filling = False
-        self.types = OrderedList("Node types", studio.theme, editable=True)
-        self.types.up.hide()
-        self.types.down.hide()
+        self.types = OrderedList("Node types", studio.theme, editable=True, movable=False)
         self.types.chosen.connect(lambda _: self._show_chosen())
         self.types.removed.connect(lambda name: self._do(delete_type, name))
         self.types.renamed.connect(self._rename)

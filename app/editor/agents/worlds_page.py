@@ -33,9 +33,7 @@ class WorldsPage(QWidget):
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
-        self.worlds = OrderedList("Worlds", studio.theme, editable=True)
-        self.worlds.up.hide()
-        self.worlds.down.hide()
+        self.worlds = OrderedList("Worlds", studio.theme, editable=True, movable=False)
         self.worlds.chosen.connect(lambda _: self._show_chosen())
         self.worlds.removed.connect(lambda name: self._do(delete_world, name))
         self.worlds.renamed.connect(self._rename)

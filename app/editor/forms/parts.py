@@ -109,7 +109,7 @@ class Item:
 
 
 class OrderedList(QWidget):
-    """A list whose entries can be chosen, moved up and down, removed, and renamed if that is allowed.
+    """A list whose entries can be chosen and removed, and moved up and down and renamed where that is allowed.
 
     Signals:
         chosen: Another entry is current; its key, or an empty one.
@@ -123,7 +123,9 @@ class OrderedList(QWidget):
     removed = Signal(str)
     renamed = Signal(str, str)
 
-    def __init__(self, name: str, theme: Theme, *, editable: bool = False, empty: str = "") -> None:
+    def __init__(
+        self, name: str, theme: Theme, *, editable: bool = False, movable: bool = True, empty: str = ""
+    ) -> None:
         """A list.
 
         Args:
@@ -133,7 +135,7 @@ class OrderedList(QWidget):
         self._theme = theme
         self.empty = empty
         self._items: tuple[Item, ...] = ()
-        self._editable = editable
+        self._editable, self._movable = editable, movable
         self._filling = False
         self.list = _List(self)
         self.list.setAccessibleName(name)
@@ -146,7 +148,7 @@ class OrderedList(QWidget):
         self.remove = self._button("delete-outline", f"Remove (Delete): {name}", self.take_out)
         buttons = QHBoxLayout()
         buttons.setSpacing(2)
-        for button in (self.up, self.down, self.remove):
+        for button in (self.up, self.down, self.remove) if movable else (self.remove,):
             buttons.addWidget(button)
         buttons.addStretch(1)
         column = QVBoxLayout(self)
@@ -211,7 +213,7 @@ class OrderedList(QWidget):
         """Move the current entry up or down."""
         at = self.list.currentRow()
         to = at + steps
-        there = 0 <= at < len(self._items) and 0 <= to < len(self._items)
+        there = self._movable and 0 <= at < len(self._items) and 0 <= to < len(self._items)
         if there and not (self._items[at].fixed or self._items[to].fixed):
             self.moved.emit(self.current, to)
 
