@@ -1,6 +1,7 @@
 """What every test shares: Qt without a screen, markers by folder, and no thread left behind."""
 
 import os
+import signal
 import threading
 import time
 from collections.abc import Iterator
@@ -11,6 +12,13 @@ from hypothesis import settings
 
 # Before anything imports Qt.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+# A shell ignores Ctrl-C for what it starts in the background, and so would all that the tests interrupt.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# Ctrl-C interrupts, also where the suite was started in the background, which lets shells turn it off for all below.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Seconds that a thread gets to end by itself once the test that started it is over.
 GRACE = 2.0
