@@ -17,9 +17,6 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# Ctrl-C interrupts, also where the suite was started in the background, which lets shells turn it off for all below.
-signal.signal(signal.SIGINT, signal.default_int_handler)
-
 # Seconds that a thread gets to end by itself once the test that started it is over.
 GRACE = 2.0
 
