@@ -91,12 +91,7 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
         self.resize(SIZE)
-        self.docks = place_docks(self, studio)
-        for dock in self.docks.values():
-            for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
-                signal.connect(self._fold_titles)
-            dock.topLevelChanged.connect(self._settle)
-        studio.actions.add(self._dock_rows())
+        self._place_docks()
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
         self.addToolBar(self.toolbar)
@@ -111,16 +106,28 @@ class MainWindow(QMainWindow):
         self.menuBar().setCornerWidget(self.search_field)
         self.search_field.show()  # the bar alone would leave it hidden
         self._standard = self.saveState()
+        self._connect()
+        self._opened()
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocus()  # rather than a field, which would take keys that are shortcuts
+        OwnKeys(self)
+
+    def _place_docks(self) -> None:
+        self.docks = place_docks(self, self.studio)
+        for dock in self.docks.values():
+            for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
+                signal.connect(self._fold_titles)
+            dock.topLevelChanged.connect(self._settle)
+        self.studio.actions.add(self._dock_rows())
+
+    def _connect(self) -> None:
+        studio = self.studio
         studio.opened.connect(self._opened)
         studio.document.history_changed.connect(self._titled)
         studio.show_panel.connect(self.show_panel)
         self.destroyed.connect(studio.actions.clear)
         studio.world_wanted.connect(self.come_to_front)
         self.files.waiting.connect(self._waiting)
-        self._opened()
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setFocus()  # rather than a field, which would take keys that are shortcuts
-        OwnKeys(self)
 
     # ----------------------------------------------------------------------------------------- docks, menus
 
