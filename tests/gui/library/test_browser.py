@@ -25,7 +25,7 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 def panel(studio: Studio, qtbot: QtBot) -> Iterator[LibraryPanel]:
     panel = LibraryPanel(studio)
     qtbot.addWidget(panel)
-    panel.resize(300, 700)
+    panel.resize(420, 700)  # room for all badges, whichever facts have come
     panel.show()
     qtbot.waitExposed(panel)
     yield panel
