@@ -125,8 +125,13 @@ class Actions(QObject):
 
     def refresh(self) -> None:
         """Texts, checks, and what is possible, as things are now."""
-        for action_id, row in self._rows.items():
-            self._refresh(row, self._actions[action_id])
+        self.refresh_some(self._rows)
+
+    def refresh_some(self, action_ids: Iterable[str]) -> None:
+        """Some of them; those that no panel has added are left out."""
+        for action_id in action_ids:
+            if action_id in self._rows:
+                self._refresh(self._rows[action_id], self._actions[action_id])
 
     def _refresh(self, row: ActionRow, action: QAction) -> None:
         studio = self._studio

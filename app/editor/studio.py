@@ -112,11 +112,11 @@ class Studio(QObject):
         bridge.snapshot_changed.connect(self._snapshot_changed)
         self.theme.changed.connect(self.actions.dress)
         self.settings.changed.connect(self._setting_changed)
+        document.history_changed.connect(self._history_changed)
         selection.nodes_changed.connect(self._watch)
         selection.nodes_changed.connect(self._want_state)
         self.teaching.changed.connect(self._watch)
         for signal in (
-            document.history_changed,
             bridge.mode_changed,
             bridge.place_changed,
             selection.nodes_changed,
@@ -304,6 +304,11 @@ class Studio(QObject):
         if not self._soon.isActive():
             self._soon.start()
 
+    def _history_changed(self) -> None:
+        """A key pressed in the very next moment must find undo ready; the rest has time."""
+        self.actions.refresh_some(HISTORY_ACTIONS)
+        self.touch()
+
     def _refresh(self) -> None:
         self.actions.refresh()
         self.changed.emit()
@@ -325,6 +330,8 @@ class Studio(QObject):
             self.actions.dress()
 
 
+#: What the history alone makes possible.
+HISTORY_ACTIONS = ("edit.undo", "edit.redo", "file.save")
 _NOTHING = Project("", "foraging")
 
 
