@@ -11,6 +11,7 @@ from PySide6.QtCore import QAbstractItemModel, QMimeData, QModelIndex, QPersiste
 
 from ...learner.trainer import Key
 from .fits import Fit, Fits
+from .order import moves
 from .survey import Group, Kind, Row, RowKey
 
 #: What a dragged behavior is: JSON with ``type``, ``id`` (empty for a basic one) and ``name``.
@@ -99,27 +100,24 @@ class LibraryModel(QAbstractItemModel):
                 self.beginRemoveRows(parent, at, at)
                 del branch.rows[at]
                 self.endRemoveRows()
+        self._order(branch, parent, rows)
         for at, row in enumerate(rows):
-            if at < len(branch.rows) and branch.rows[at].key == row.key:
-                if branch.rows[at] != row:
-                    branch.rows[at] = row
-                    self._told(self.index(at, 0, parent))
-            else:
-                self._put(branch, parent, at, row)
+            if at == len(branch.rows) or branch.rows[at].key != row.key:
+                self.beginInsertRows(parent, at, at)
+                branch.rows.insert(at, row)
+                self.endInsertRows()
+            elif branch.rows[at] != row:
+                branch.rows[at] = row
+                self._told(self.index(at, 0, parent))
 
-    def _put(self, branch: _Branch, parent: QModelIndex, at: int, row: Row) -> None:
-        """Insert a row, or move it up from where it stands."""
-        found = next((k for k, other in enumerate(branch.rows) if other.key == row.key), None)
-        if found is None:
-            self.beginInsertRows(parent, at, at)
-            branch.rows.insert(at, row)
-            self.endInsertRows()
-        else:
-            self.beginMoveRows(parent, found, found, parent, at)
-            branch.rows.insert(at, branch.rows.pop(found))
+    def _order(self, branch: _Branch, parent: QModelIndex, rows: Sequence[Row]) -> None:
+        """Bring what is listed in the order of *rows*, among which all of it is."""
+        places = {row.key: place for place, row in enumerate(rows)}
+        for at, to in moves([places[row.key] for row in branch.rows]):
+            # Qt counts the row that it is put before as if the one that moves still stood where it was.
+            self.beginMoveRows(parent, at, at, parent, to + (to > at))
+            branch.rows.insert(to, branch.rows.pop(at))
             self.endMoveRows()
-            branch.rows[at] = row
-            self._told(self.index(at, 0, parent))
 
     def _fits_changed(self, keys: Iterable[Key]) -> None:
         for key in keys:
