@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
 from ..core.automaton import START
 from ..core.errors import UnderstudyError
@@ -21,6 +21,7 @@ from .document import Document
 from .relearning import Relearning
 from .selection import BehaviorKey, Selection
 from .settings import Settings
+from .soon import Soon
 from .teach.teaching import Teaching
 from .theme import Theme
 from .watching import Watching
@@ -98,8 +99,7 @@ class Studio(QObject):
         self._undo_ticket = self._undos_waiting = 0
         self._arm, self._state_wanted = "", False
         self._settings: Mapping[str, Value] = {}
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self._refresh)
+        self._soon = Soon(self, self._refresh)
         self._connect()
 
     def _connect(self) -> None:
@@ -301,8 +301,7 @@ class Studio(QObject):
 
     def touch(self) -> None:
         """Say that something has changed which decides what is possible."""
-        if not self._soon.isActive():
-            self._soon.start()
+        self._soon.ask()
 
     def _history_changed(self) -> None:
         """A key pressed in the very next moment must find undo ready; the rest has time."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from ..engine.commands import Watch
 from .bridge import Bridge
+from .soon import Soon
 
 
 class Watching(QObject):
@@ -18,8 +19,7 @@ class Watching(QObject):
         self._bridge = bridge
         self._wanted: dict[str, tuple[str, ...]] = {}
         self._sent: tuple[str, ...] = ()
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self._send)
+        self._soon = Soon(self, self._send)
 
     @property
     def nodes(self) -> tuple[str, ...]:
@@ -29,8 +29,7 @@ class Watching(QObject):
     def want(self, owner: str, nodes: Iterable[str]) -> None:
         """From now on *owner* needs these nodes, instead of those that it asked for before."""
         self._wanted[owner] = tuple(nodes)
-        if not self._soon.isActive():
-            self._soon.start()
+        self._soon.ask()
 
     def begin(self) -> None:
         """Tell a session that has just begun."""

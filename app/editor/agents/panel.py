@@ -24,6 +24,7 @@ from ...core.project import Arm, Value
 from ...engine.commands import Reset
 from ...engine.snapshots import Doing
 from ..forms.parts import Complaint
+from ..soon import Soon
 from .delegate import NodeDelegate
 from .forest_hand import ForestHand, forest_of
 from .forest_model import ForestModel, filtered
@@ -75,8 +76,7 @@ class AgentsPanel(QWidget):
         self.reset = QPushButton("Reset")
         self._live = QTimer(self, interval=LIVE, singleShot=True)
         self._live.timeout.connect(self._show_doing)
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self.follow)
+        self._soon = Soon(self, self.follow)
         studio.actions.add(agent_rows(self))
         self._lay_out()
         self._connect()
@@ -125,9 +125,9 @@ class AgentsPanel(QWidget):
     def _connect(self) -> None:
         studio = self._studio
         studio.opened.connect(self.follow)
-        studio.document.project_changed.connect(lambda *_: self._soon.start())
+        studio.document.project_changed.connect(self._soon.ask)
         studio.bridge.place_changed.connect(lambda _: self._began())
-        studio.changed.connect(self._soon.start)
+        studio.changed.connect(self._soon.ask)
         studio.bridge.snapshot_changed.connect(self._snapshot_changed)
         studio.selection.nodes_changed.connect(self._show_selected)
         studio.colors.changed.connect(self.tree.viewport().update)
@@ -202,7 +202,7 @@ class AgentsPanel(QWidget):
     def _began(self) -> None:
         """Remember what the world began with."""
         self._parameters_before = self._parameters(self._studio.arm)
-        self._soon.start()
+        self._soon.ask()
 
     def _has_world(self, arm: Arm) -> bool:
         return not arm.world or arm.world in self._studio.document.project.worlds

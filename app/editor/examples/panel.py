@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, QTimer, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -22,6 +22,7 @@ from ...core.edits import disable_examples, enable_examples, relabel_examples, w
 from ...engine.worker import Worker
 from ..actions import ActionRow
 from ..icons import icon
+from ..soon import Soon
 from .delegates import HEAVIEST, LIGHTEST, LabelDelegate, WeightDelegate
 from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, states_of
@@ -135,10 +136,9 @@ class ExamplesPanel(QWidget):
 
     def _connect(self) -> None:
         studio = self._studio
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self.refresh)
+        self._soon = Soon(self, self.refresh)
         for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
-            signal.connect(self._soon.start)
+            signal.connect(self._soon.ask)
         studio.selection.examples_changed.connect(self._show_selected)
         studio.theme.changed.connect(self._dress)
         self.filters.changed.connect(self._filter)

@@ -12,6 +12,7 @@ from ...core.automaton import Content
 from ...core.edits import move_states
 from ...core.project import Position
 from ..selection import BehaviorKey
+from ..soon import Soon
 from . import offers
 from .arrangement import Point
 from .badges import Badges
@@ -70,8 +71,7 @@ class GraphPanel(QWidget):
         self.editing = GraphEditing(studio, self.scene)
         self.form = FormStrip(studio, self.scoping)
         self.badges = Badges(studio.document, self.scoping, self.scene)
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self.refresh)
+        self._soon = Soon(self, self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
         self._live.timeout.connect(self._follow)
         studio.actions.add(graph_rows(self))
@@ -136,12 +136,12 @@ class GraphPanel(QWidget):
     def touch(self, _what: object = None) -> None:
         """Something that is shown has changed."""
         if self.isVisible():
-            self._soon.start()
+            self._soon.ask()
 
     @property
     def is_pending(self) -> bool:
         """Whether something that has changed is not shown yet."""
-        return self._soon.isActive()
+        return self._soon.is_due
 
     def refresh(self) -> None:
         """Show everything as it is now."""
@@ -171,12 +171,12 @@ class GraphPanel(QWidget):
         super().showEvent(event)
         if self.root is not None:
             self.laying_out.warm_up()
-        self._soon.start()
+        self._soon.ask()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Nobody looks: Graphviz is not needed."""
         super().hideEvent(event)
-        self._soon.stop()
+        self._soon.forget()
         self._live.stop()
         self.laying_out.close()
         self.studio.touch()

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.edits import duplicate_automaton, rename_automaton
 from ...core.project import Project
 from ..selection import BehaviorKey
+from ..soon import Soon
 from .delegate import USES, BehaviorDelegate
 from .filtering import LibraryFilter
 from .fits import Fits
@@ -62,8 +63,7 @@ class LibraryPanel(QWidget):
         self.filter = QLineEdit()
         self.empty = QLabel("No behaviors have been made yet.\nNew automaton (Ctrl+Shift+N) makes the first.")
         self._selecting = False
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self.follow)
+        self._soon = Soon(self, self.follow)
         studio.actions.add(library_rows(self))
         self._lay_out()
         self._connect()
@@ -103,8 +103,8 @@ class LibraryPanel(QWidget):
     def _connect(self) -> None:
         studio = self._studio
         studio.opened.connect(self._opened)
-        studio.document.project_changed.connect(lambda *_: self._soon.start())
-        studio.bridge.place_changed.connect(lambda _: self._soon.start())
+        studio.document.project_changed.connect(self._soon.ask)
+        studio.bridge.place_changed.connect(self._soon.ask)
         studio.changed.connect(self._arm_changed)
         studio.selection.behavior_changed.connect(self._show_selected)
         studio.colors.changed.connect(self.tree.viewport().update)
@@ -169,7 +169,7 @@ class LibraryPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Find out how well things fit once somebody looks."""
         super().showEvent(event)
-        self._soon.start()
+        self._soon.ask()
 
     # ---------------------------------------------------------------------------------------- selecting
 

@@ -28,6 +28,7 @@ from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
 from ..diagram.label_colors import state_colors
 from ..number_box import roomy
+from ..soon import Soon
 from .menus import node_menu
 from .previewing import Previewing
 from .pruning import Pruning
@@ -80,8 +81,7 @@ class TreePanel(QWidget):
         self.pruning = Pruning(studio)
         self.previewing = Previewing(studio, self.tools.confidence, self.pruning)
         self.menu: QMenu | None = None
-        self._soon = QTimer(self, interval=0, singleShot=True)
-        self._soon.timeout.connect(self.refresh)
+        self._soon = Soon(self, self.refresh)
         self._live = QTimer(self, interval=LIVE, singleShot=True)
         self._live.timeout.connect(self._follow)
         studio.actions.add(tree_rows(self))
@@ -161,7 +161,7 @@ class TreePanel(QWidget):
     def touch(self) -> None:
         """Something that is shown has changed."""
         if self.isVisible():
-            self._soon.start()
+            self._soon.ask()
 
     def _dress(self) -> None:
         self._shown = ()
@@ -170,7 +170,7 @@ class TreePanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what happened meanwhile."""
         super().showEvent(event)
-        self._soon.start()
+        self._soon.ask()
 
     def refresh(self) -> None:
         """Show everything as it is now."""
@@ -332,7 +332,7 @@ class TreePanel(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         """Nobody looks: nothing is learned to be looked at."""
         super().hideEvent(event)
-        self._soon.stop()
+        self._soon.forget()
         self._live.stop()
         self.previewing.close()
         self.studio.touch()

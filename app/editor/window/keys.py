@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..soon import catch_up
+
 #: What moves through lists, boxes and sliders.
 MOVES = (
     Qt.Key.Key_Home,
@@ -30,7 +32,8 @@ _SWITCHED = (QCheckBox, QRadioButton)
 class OwnKeys(QObject):
     """Lets lists, boxes and sliders have the keys that move through them, and switches the space bar.
 
-    Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them.
+    Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them. Before
+    that it does what it has put off, so that the key finds things, and what is possible, as they are by now.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -41,6 +44,7 @@ class OwnKeys(QObject):
         """Take a key from the shortcuts if it belongs to what has the focus."""
         if event.type() is not QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
             return False
+        catch_up()
         if belongs(event, QApplication.focusWidget()):
             event.accept()
             return True

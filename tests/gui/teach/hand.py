@@ -108,7 +108,7 @@ class Hand:
         engine = self.studio.bridge._engine
         assert engine is not None
         # Both at once: while the one is waited for, background learning may ask for the other again.
-        self.wait(lambda: self.snapshot.acknowledged >= engine._tickets and not self.studio._soon.isActive())
+        self.wait(lambda: self.snapshot.acknowledged >= engine._tickets and not self.studio._soon.is_due)
 
     def click(self, widget: QWidget) -> None:
         """Click a widget that can be seen."""

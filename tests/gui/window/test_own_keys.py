@@ -2,9 +2,11 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QWidget
 from pytestqt.qtbot import QtBot
 
+from app.editor.actions import ActionRow
 from app.editor.agents.panel import AgentsPanel
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Step
@@ -64,3 +66,16 @@ def test_the_space_bar_switches_a_check_box_that_has_the_focus(later: MainWindow
     qtbot.keyClick(box, Qt.Key.Key_Space)
     assert box.isChecked()
     assert answered(later, qtbot) == 6
+
+
+def test_a_key_finds_what_has_become_possible_in_the_same_moment(window: MainWindow) -> None:
+    studio, possible, done = window.studio, list[str](), list[str]()
+    row = ActionRow("f9", "F9", "", lambda _: done.append("it"), keys="F9", enabled=lambda _: bool(possible))
+    studio.actions.add([row])
+    window.addAction(studio.actions["f9"])
+    QTest.keyClick(window, Qt.Key.Key_F9)  # Qt's own: the tests' would wait a little
+    assert done == []
+    possible.append("it")
+    studio.touch()
+    QTest.keyClick(window, Qt.Key.Key_F9)
+    assert done == ["it"]

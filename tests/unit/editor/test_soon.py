@@ -1,0 +1,71 @@
+"""What is to be done soon is done once, after all that is going on, or when it is needed."""
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
+from PySide6.QtWidgets import QApplication
+
+from app.editor.soon import Soon, catch_up
+
+
+@pytest.fixture
+def done() -> list[str]:
+    return []
+
+
+@pytest.fixture
+def soon(qapp: QApplication, done: list[str]) -> Soon:
+    return Soon(qapp, lambda: done.append("it"))
+
+
+def test_it_is_done_once_however_often_it_is_asked_for(soon: Soon, done: list[str]) -> None:
+    for _ in range(3):
+        soon.ask()
+    assert (soon.is_due, done) == (True, [])
+    QCoreApplication.sendPostedEvents()
+    assert (soon.is_due, done) == (False, ["it"])
+
+
+def test_it_is_done_after_what_came_later_and_can_ask_for_it_too(soon: Soon, done: list[str]) -> None:
+    class Sender(QObject):
+        sent = Signal()
+
+    sender = Sender()
+    sender.sent.connect(lambda: done.append("other"), Qt.ConnectionType.QueuedConnection)
+    sender.sent.connect(soon.ask, Qt.ConnectionType.QueuedConnection)
+    soon.ask()
+    sender.sent.emit()
+    QCoreApplication.sendPostedEvents()
+    assert done == ["other", "it"]
+
+
+def test_what_is_needed_now_is_done_now_and_not_again(soon: Soon, done: list[str]) -> None:
+    soon.ask()
+    catch_up()
+    QCoreApplication.sendPostedEvents()
+    assert done == ["it"]
+
+
+def test_what_leads_to_more_is_done_with_that(soon: Soon, done: list[str]) -> None:
+    first = Soon(soon, soon.ask)
+    first.ask()
+    catch_up()
+    assert done == ["it"]
+
+
+def test_what_was_put_off_can_be_given_up_and_asked_for_again(soon: Soon, done: list[str]) -> None:
+    soon.ask()
+    soon.forget()
+    catch_up()
+    assert done == []
+    soon.ask()
+    catch_up()
+    assert done == ["it"]
+
+
+def test_nothing_is_done_for_who_is_gone(qapp: QApplication, done: list[str]) -> None:
+    owner = QObject()
+    soon = Soon(owner, lambda: done.append("it"))
+    soon.ask()
+    del owner, soon
+    catch_up()
+    assert done == []
