@@ -103,12 +103,17 @@ class Hand:
         """How many commands the session has dealt with, as far as the window knows."""
         return self.snapshot.acknowledged
 
-    def settle(self) -> None:
-        """Wait until the session has answered all that was asked, and the actions say what is possible."""
+    @property
+    def is_answered(self) -> bool:
+        """Whether the session has dealt with all commands, as far as the window knows."""
         engine = self.studio.bridge._engine
         assert engine is not None
+        return self.answered >= engine._tickets
+
+    def settle(self) -> None:
+        """Wait until the session has answered all that was asked, and the actions say what is possible."""
         # Both at once: while the one is waited for, background learning may ask for the other again.
-        self.wait(lambda: self.snapshot.acknowledged >= engine._tickets and not self.studio._soon.is_due)
+        self.wait(lambda: self.is_answered and not self.studio._soon.is_due)
 
     def click(self, widget: QWidget) -> None:
         """Click a widget that can be seen."""

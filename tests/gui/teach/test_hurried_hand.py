@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QApplication
 from app.core.edits import note_project, set_note
 from app.editor.studio import Studio
 from app.engine.commands import Step
-from app.engine.snapshots import Mode
 from tests.gui.teach.hand import Hand
 from tests.gui.teach.test_undoing_picks import same_everywhere
 
@@ -61,5 +60,4 @@ def test_window_and_session_agree_however_fast_the_hand_is(hand: Hand, seed: int
 def agree(hand: Hand) -> None:
     """Wait for all answers, and compare."""
     hand.wait(lambda: not hand.studio._undo_ticket and not hand.studio._undos_waiting)
-    hand.wait(lambda: hand.studio.mode is not Mode.LEARNING)
     same_everywhere(hand)

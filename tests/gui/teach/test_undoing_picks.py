@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 
 from app.core.edits import note_project, set_note
 from app.engine.session import Session
+from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
 from tests.gui.teach.hand import CONTROL, SHIFT, Hand
 
@@ -20,7 +21,8 @@ def session_of(hand: Hand) -> Session:
 
 
 def same_everywhere(hand: Hand) -> None:
-    hand.settle()
+    # At once: what is learned in a lesson changes the session's project before the window hears of it.
+    hand.wait(lambda: hand.is_answered and hand.studio.mode is not Mode.LEARNING)
     assert session_of(hand).project == hand.studio.document.project
 
 
