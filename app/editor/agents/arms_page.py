@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...core.edits import add_arm, delete_arm, move_arm, rename_arm, replace_arm, set_hierarchy
+from ...core.edits import add_arm, add_type, delete_arm, move_arm, rename_arm, replace_arm, set_hierarchy
 from ...core.edits.calls import root_types
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
@@ -69,6 +69,7 @@ class ArmsPage(QWidget):
         self.note.editingFinished.connect(self._noted)
         self.table = LevelTableForm(theme)
         self.table.wanted.connect(self._table_wanted)
+        self.table.type_wanted.connect(self._type_wanted)
         self.parameters = ParameterForm(theme)
         self.parameters.changed.connect(self._set_parameter)
         self.parameters.settled.connect(studio.document.end_gesture)
@@ -216,6 +217,12 @@ class ArmsPage(QWidget):
         arm = self._arm
         if arm is not None:
             self._do(set_hierarchy, arm.name, table)
+
+    def _type_wanted(self, below: str) -> None:
+        """A type of controllers over another, called by its level until the user has a better name."""
+        types = self._studio.document.project.types
+        level = next((t.level for t in types if t.name == below), 0) + 1
+        self._do(add_type, fresh_name([t.name for t in types], f"level-{level}"), (below,))
 
     def _set_parameter(self, name: str, value: Value | None) -> None:
         arm = self._arm

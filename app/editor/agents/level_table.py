@@ -33,9 +33,11 @@ class LevelTableForm(QWidget):
 
     Signals:
         wanted: The user wants this `LevelTable`.
+        type_wanted: The user wants a new node type, over the one of this name.
     """
 
     wanted = Signal(object)
+    type_wanted = Signal(str)
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -47,7 +49,11 @@ class LevelTableForm(QWidget):
         self.trouble = Complaint(theme)
         self._grid = QGridLayout()
         self._grid.setColumnStretch(2, 1)
-        self.above = text_button("Add a level", "Another level of controllers above the roots", self._grow)
+        self.above = text_button(
+            "Add a level",
+            "Another level of controllers above the roots, of a new node type if none may stand there",
+            self._grow,
+        )
         self.below = text_button("Take a level away", "The roots' level goes", self._shrink)
         self.use = text_button("Make this forest", "Put this forest in the place of the arm's own", self._use)
         row = QHBoxLayout()
@@ -56,16 +62,17 @@ class LevelTableForm(QWidget):
         row.addStretch(1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 8, 0, 0)
+        column.addLayout(row)  # above the levels: it stays under the mouse while they grow
         column.addWidget(self.words)
         column.addLayout(self._grid)
-        column.addLayout(row)
         column.addWidget(self.trouble)
         column.addWidget(caption("Move, group and name single nodes in the Agents panel."))
         column.addStretch(1)
 
     def show_forest(self, forest: Hierarchy | LevelTable, types: tuple[NodeType, ...]) -> None:
         """Show a forest as a table, as far as it is regular."""
-        if forest == self._forest and types == self._types:
+        if forest == self._forest:
+            self._use_types(types)
             return
         self._forest, self._types = forest, types
         table = forest if isinstance(forest, LevelTable) else as_table(forest)
@@ -81,6 +88,12 @@ class LevelTableForm(QWidget):
                 (sum(1 for _ in Hierarchy.agents(forest)) if isinstance(forest, Hierarchy) else 1,), (first,)
             )
         self._build(table.sizes, table.types)
+
+    def _use_types(self, types: tuple[NodeType, ...]) -> None:
+        """Offer other types; what the fields say stays as far as there are those types."""
+        if types != self._types:
+            table, self._types = self.table, types
+            self._build(table.sizes, table.types)
 
     @property
     def table(self) -> LevelTable:
@@ -128,8 +141,7 @@ class LevelTableForm(QWidget):
         self.trouble.say(trouble)
         self.use.setEnabled(not trouble and self.table != self._forest)
         self.below.setEnabled(len(self.sizes) > 1)
-        top = self.types[0].currentText() if self.types else ""
-        self.above.setEnabled(any(top in node_type.subsidiaries for node_type in self._types))
+        self.above.setEnabled(bool(self.types))
 
     def _problem(self) -> str:
         """What is wrong with the table, in words; one branch is enough to tell."""
@@ -147,10 +159,16 @@ class LevelTableForm(QWidget):
 
     def _grow(self) -> None:
         top = self.types[0].currentText()
-        over = next((t.name for t in self._types if top in t.subsidiaries), None)
+        if self._over(top) is None:
+            self.type_wanted.emit(top)
+        over = self._over(top)
         if over is not None:
             table = self.table
             self._build((1, *table.sizes), (over, *table.types))
+
+    def _over(self, top: str) -> str | None:
+        """The first type that may stand over another."""
+        return next((t.name for t in self._types if top in t.subsidiaries), None)
 
     def _shrink(self) -> None:
         table = self.table

@@ -78,6 +78,25 @@ def test_a_forest_is_made_from_a_level_table(dialog: ArmsDialog, studio: Studio,
     assert studio.document.history.undo_text == "Change the hierarchy of arm independent"
 
 
+def test_levels_are_added_by_clicks_at_one_place_also_above_all_known_types(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    page = dialog.arms
+    page.arms.choose("independent")
+    place = page.table.above.mapToGlobal(page.table.above.rect().center())
+    for _ in range(4):
+        qtbot.mouseClick(page.table.above, LEFT, pos=page.table.above.mapFromGlobal(place))
+        page.table.grab()  # lays it out
+    kinds = ("level-4", "level-3", "squad", "group", "agent")
+    assert page.table.table == LevelTable((1, 1, 1, 1, 50), kinds)
+    for size in page.table.sizes:
+        set_number(size, qtbot, "2")
+    qtbot.mouseClick(page.table.use, LEFT)
+    assert studio.document.project.arm("independent").hierarchy == LevelTable((2,) * 5, kinds)
+    assert [t.level for t in studio.document.project.types if t.name in kinds[:2]] == [3, 4]
+    assert studio.document.history.undo_text == "Change the hierarchy of arm independent"
+
+
 def test_a_table_that_cannot_be_is_refused_beside_it(
     dialog: ArmsDialog, studio: Studio, qtbot: QtBot
 ) -> None:
