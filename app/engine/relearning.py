@@ -1,12 +1,14 @@
 """Learning again, beside the window, whatever an edit has made stale: models, and values of features added later."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from ..core.errors import UnderstudyError
 from ..core.project import Project
+from ..core.remembered import Remembered
 from ..learner.builder import LearningCancelled
-from ..learner.trainer import Key, Learned, LearnedAutomaton, is_stale, learn, with_examples
+from ..learner.freshness import Freshness
+from ..learner.trainer import Key, Learned, LearnedAutomaton, learn, with_examples
 from ..sim.scenario import Scenario
 from .backfill import Filled, fill_values
 from .plan import some
@@ -57,7 +59,7 @@ class Relearner:
         """
         self._worker = Worker(self._answer, _broken, ready, "relearner")
         self._progress = 0.0, ""
-        self._tried: dict[Key, _Tried] = {}  # only the thread looks at it
+        self._memory = _Memory()  # only the thread looks at it
 
     def ask(self, revision: int, project: Project, scenario: Scenario) -> None:
         """Learn every automaton of *project* that is stale; an earlier question that is still open is given up."""
@@ -87,12 +89,14 @@ class Relearner:
             if not cancelled():
                 self._progress = share, what
 
-        return _Work(question, self._tried, tell, cancelled).answer()
+        return _Work(question, self._memory, tell, cancelled).answer()
 
 
 def relearn(project: Project, scenario: Scenario) -> RelearnAnswer:
     """The same at once, in the caller's thread."""
-    return _Work(_Question(0, project, scenario), {}, lambda _share, _what: None, lambda: False).answer()
+    return _Work(
+        _Question(0, project, scenario), _Memory(), lambda _share, _what: None, lambda: False
+    ).answer()
 
 
 def _broken(question: _Question, why: str) -> RelearnAnswer:
@@ -111,15 +115,42 @@ class _Tried:
         return all(old is new for old, new in zip(self.made_of, made_of, strict=True))
 
 
+class _Memory:
+    """What was found out about automata, so that the next question is about those only that have changed.
+
+    Attributes:
+        freshness: Which are stale.
+        tried: What could not be filled in.
+    """
+
+    def __init__(self) -> None:
+        self.freshness = Freshness()
+        self.tried: dict[Key, _Tried] = {}
+        self._lacking: Remembered[Key, bool] = Remembered()
+
+    def lacks_values(self, project: Project, key: Key) -> bool:
+        """Whether an example has no value of one of its automaton's features."""
+        features, examples = project.library(key[0]).get(key[1]).features, project.examples_of(*key)
+        ids = {use.id for use in features}
+        return self._lacking.of(
+            key, (features, examples), lambda: any(not ids <= example.values.keys() for example in examples)
+        )
+
+    def keep(self, keys: Collection[Key]) -> None:
+        """Forget all automata but these."""
+        self.freshness.keep(keys)
+        self._lacking.keep(keys)
+
+
 class _Work:
     """One question being worked on."""
 
     def __init__(
-        self, question: _Question, tried: dict[Key, _Tried], progress: Progress, cancelled: IsCancelled
+        self, question: _Question, memory: _Memory, progress: Progress, cancelled: IsCancelled
     ) -> None:
         self._question = question
         self._project = question.project
-        self._tried = tried
+        self._memory = memory
         self._tell = progress
         self._cancelled = cancelled
         self._learned: dict[Key, LearnedAutomaton] = {}
@@ -129,6 +160,7 @@ class _Work:
     def answer(self) -> RelearnAnswer:
         try:
             keys = with_examples(self._project)
+            self._memory.keep(keys)
             for number, key in enumerate(keys):
                 self._step(key, number / len(keys), 1.0 / len(keys))
         except UnderstudyError as error:
@@ -147,9 +179,9 @@ class _Work:
         name = self._project.library(key[0]).get(key[1]).name
         self._tell(done, name)
         try:
-            if _lacks_values(self._project, key):
+            if self._memory.lacks_values(self._project, key):
                 self._fill(key, name)
-            if is_stale(self._project, *key):
+            if self._memory.freshness.is_stale(self._project, key):
                 self._learn(key, lambda part, what: self._tell(done + part * share, what))
         except UnderstudyError as error:
             self._problems.append(str(error))
@@ -164,14 +196,14 @@ class _Work:
             project.arms,
             project.moments,
         )
-        tried = self._tried.get(key)
+        tried = self._memory.tried.get(key)
         if tried is None or not tried.again((*made_of, scenario)):
             filled = fill_values(project, scenario, *key, self._cancelled)
             if self._cancelled():
                 raise LearningCancelled
             self._take(key, filled)
             made_of = (*made_of[:2], self._project.examples_of(*key), *made_of[3:])
-            tried = self._tried[key] = _Tried((*made_of, scenario), filled.missed)
+            tried = self._memory.tried[key] = _Tried((*made_of, scenario), filled.missed)
         enabled = {example.id for example in project.examples_of(*key) if example.enabled}
         self._problems += _missed(name, {i: why for i, why in tried.missed.items() if i in enabled})
 
@@ -186,11 +218,6 @@ class _Work:
         alone = replace(self._project, examples={key[0]: {key[1]: examples}})
         vocabulary = self._question.scenario.vocabulary
         self._learned |= learn(alone, vocabulary, None, progress, self._cancelled).automata
-
-
-def _lacks_values(project: Project, key: Key) -> bool:
-    features = [use.id for use in project.library(key[0]).get(key[1]).features]
-    return any(feature not in example.values for example in project.examples_of(*key) for feature in features)
 
 
 def _missed(name: str, missed: Mapping[str, str]) -> Iterator[str]:

@@ -1,8 +1,8 @@
 """What is wrong with a project, found without running it and without giving up at the first problem.
 
-`check` lists everything: errors, which keep what they concern from running, and warnings. `refuse` raises the errors
-that concern a run. Files are named as `app.core.storage` names them; the form of files on disk is its business, the
-parameters of a scenario are the scenario's.
+`check` lists everything: errors, which keep what they concern from running, and warnings. A `Checker` does so for one
+value of a project after another. `refuse` raises the errors that concern a run. Files are named as `app.core.storage`
+names them; the form of files on disk is its business, the parameters of a scenario are the scenario's.
 """
 
 from collections.abc import Iterable, Iterator
@@ -11,18 +11,13 @@ from ..errors import UnderstudyError
 from ..library import Types
 from ..project import Project
 from ..vocabulary import Vocabulary
-from .arms import arm_problems, demonstration_problems
-from .automata import automaton_problems, library_problems
-from .examples import example_problems, stray_examples
-from .features import feature_problems
-from .node_types import sound_types, type_problems
+from .checker import Checker, types_of
 from .problem import PROJECT_FILE, Problem, Severity, automaton_file, demonstration_file, examples_file, place
 from .reach import Where, in_use
-from .scope import Scope, Subject, scopes
-from .transitions import transition_problems
 
 __all__ = [
     "PROJECT_FILE",
+    "Checker",
     "Problem",
     "Severity",
     "automaton_file",
@@ -39,8 +34,7 @@ MOST_TOLD = 20
 
 def check(project: Project, vocabulary: Vocabulary) -> tuple[Problem, ...]:
     """Everything that is wrong with *project* in a scenario with this *vocabulary*, file by file."""
-    types = _types(project, vocabulary)
-    return tuple(_problems(project, types, scopes(types, vocabulary)))
+    return Checker().check(project, vocabulary)
 
 
 def refuse(
@@ -57,7 +51,7 @@ def refuse(
     """
     errors = [problem for problem in check(project, vocabulary) if problem.severity == "error"]
     if arm is not None:
-        errors = list(_concerning(errors, project, _types(project, vocabulary), arm, taught))
+        errors = list(_concerning(errors, project, types_of(project, vocabulary), arm, taught))
     if not errors:
         return
     kinds = {problem.raises for problem in errors}
@@ -75,26 +69,6 @@ def _told(errors: list[Problem]) -> str:
     if len(errors) > MOST_TOLD:
         lines.append(f"  and {len(errors) - MOST_TOLD} more; `understudy check` lists all")
     return "\n".join(lines)
-
-
-def _types(project: Project, vocabulary: Vocabulary) -> Types:
-    return Types(sound_types(project), project.libraries, vocabulary)
-
-
-def _problems(project: Project, types: Types, scopes: dict[str, Scope]) -> Iterator[Problem]:
-    yield from type_problems(project)
-    yield from arm_problems(project, types)
-    for type_name, scope in scopes.items():
-        yield from library_problems(scope)
-        for automaton in scope.library.automata.values():
-            subject = Subject(scope, automaton)
-            examples = project.examples_of(type_name, automaton.id)
-            yield from automaton_problems(subject)
-            yield from feature_problems(subject)
-            yield from transition_problems(subject, examples)
-            yield from example_problems(subject, examples)
-    yield from stray_examples(project, scopes)
-    yield from demonstration_problems(project, types)
 
 
 def _concerning(

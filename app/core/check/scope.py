@@ -38,7 +38,7 @@ class Scope:
 
 
 def scopes(types: Types, scenario: Vocabulary) -> dict[str, Scope]:
-    """A scope for each type, by name. The types must be in order, see `app.core.check.types_of`."""
+    """A scope for each type, by name. The types must be in order, see `app.core.check.checker.types_of`."""
     raised = {name: _raised(types, name) for name in types.types}
     showing = {name: _shown(types, name, raised[name]) for name in types.types}
     made = {}

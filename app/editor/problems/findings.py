@@ -6,18 +6,16 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ...core.automaton import Automaton
-from ...core.check import Problem, automaton_file, check
+from ...core.check import Checker, Problem, automaton_file
 from ...core.check.fixes import Fix, fixes
 from ...core.check.spots import Spot, spot_of
 from ...core.errors import UnderstudyError
-from ...core.examples import Example
 from ...core.library import Types
 from ...core.naming import shown_state
 from ...core.project import Project
 from ...core.vocabulary import Vocabulary
 from ...engine.worker import IsCancelled, Worker
-from ...learner.trainer import is_stale
+from ...learner.freshness import Freshness
 from ..document import Document
 
 #: Milliseconds without another change before the project is checked.
@@ -97,7 +95,7 @@ class Findings(QObject):
         super().__init__(parent)
         self._document = document
         self.found = Found(0)
-        self._fresh: dict[tuple[str, str], tuple[Automaton, tuple[Example, ...], bool]] = {}
+        self._checker, self._freshness = Checker(), Freshness()  # only the thread looks at them
         self._worker: Worker[_Question, Found] = Worker(self._work, _broken, self._ready.emit, "problems")
         self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._soon.timeout.connect(self._ask)
@@ -127,7 +125,7 @@ class Findings(QObject):
     def _work(self, question: _Question, cancelled: IsCancelled) -> Found:
         revision, project, vocabulary = question
         types = project.types_with(vocabulary)
-        problems = check(project, vocabulary)
+        problems = self._checker.check(project, vocabulary)
         listed = []
         for problem in sorted(problems, key=lambda p: p.severity)[:MOST]:  # errors first
             if cancelled():
@@ -137,22 +135,20 @@ class Findings(QObject):
         return Found(revision, tuple(listed), max(0, len(problems) - MOST))
 
     def _stale(self, project: Project, cancelled: IsCancelled) -> list[tuple[str, str]]:
-        """The automata that have changed since they were learned; worked out again only for those that are other values."""
-        fresh: dict[tuple[str, str], tuple[Automaton, tuple[Example, ...], bool]] = {}
-        for node_type in project.types:
-            for automaton in project.library(node_type.name).automata.values():
-                if cancelled():
-                    return []
-                key, examples = (
-                    (node_type.name, automaton.id),
-                    project.examples_of(node_type.name, automaton.id),
-                )
-                known = self._fresh.get(key)
-                if known is None or known[0] is not automaton or known[1] is not examples:
-                    known = automaton, examples, is_stale(project, *key)
-                fresh[key] = known
-        self._fresh = fresh
-        return [key for key, (_, _, stale) in fresh.items() if stale]
+        """The automata that have changed since they were learned."""
+        keys = [
+            (node_type.name, automaton_id)
+            for node_type in project.types
+            for automaton_id in project.library(node_type.name).automata
+        ]
+        self._freshness.keep(keys)
+        found = []
+        for key in keys:
+            if cancelled():
+                return []
+            if self._freshness.is_stale(project, key):
+                found.append(key)
+        return found
 
     def _stale_finding(self, project: Project, key: tuple[str, str]) -> Finding:
         name = project.library(key[0]).get(key[1]).name
