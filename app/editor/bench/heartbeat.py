@@ -1,6 +1,7 @@
 """How long the window could not answer: a timer that beats in its thread, and how late each beat came."""
 
 from collections.abc import Sequence
+from math import ceil
 from time import perf_counter
 
 from PySide6.QtCore import QObject, Qt, QTimer
@@ -35,6 +36,5 @@ class Heartbeat(QObject):
 
 
 def percentile(values: Sequence[float], share: float) -> float:
-    """The value that *share* of all values do not exceed."""
-    ordered = sorted(values)
-    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+    """The least of the values that *share* of all do not exceed (nearest rank)."""
+    return sorted(values)[max(0, ceil(share * len(values)) - 1)]

@@ -11,9 +11,7 @@ from .stage import Stage
 
 TYPE, TAUGHT, NODE = "agent", "wander", "agent-0"
 #: How often a key is pressed.
-PRESSES = 50
-#: Seconds between two presses: a quick hand.
-APART = 0.08
+PRESSES = 100
 #: Keys of two states, which are pressed in turn.
 KEYS = (Qt.Key.Key_1, Qt.Key.Key_2)
 
@@ -31,13 +29,15 @@ def seconds_to_obey(stage: Stage, project: Project, presses: int = PRESSES) -> l
     stage.wait(lambda: studio.teaching.lesson is not None, "teach")
     studio.bridge.send(Play(1.0))
     stage.settle()
+    seen: list[tuple[str, float]] = []
+    studio.bridge.snapshot_changed.connect(lambda _: seen.append((studio.teaching.state, perf_counter())))
     found = []
     for number in range(presses):
         before, began = studio.teaching.state, perf_counter()
+        seen.clear()
         stage.press(KEYS[number % len(KEYS)])
         stage.wait(lambda: studio.teaching.state != before, "do what was picked")  # noqa: B023 - called at once
-        found.append(perf_counter() - began)
-        stage.run(
-            0.01 + 0.007 * (number % 5)
-        )  # so that presses fall anywhere between two ticks and two frames
+        found.append(next(at for state, at in seen if state != before) - began)
+        # Presses fall anywhere between two ticks and two frames.
+        stage.run(0.01 + 0.007 * (number % 5))
     return found

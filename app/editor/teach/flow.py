@@ -30,6 +30,7 @@ class ButtonFlow(QWidget):
         self._needed: tuple[QWidget, ...] = ()
         self._extra: tuple[QWidget, ...] = ()
         self._last: tuple[QWidget, ...] = ()
+        self._arranged: object = None
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -42,10 +43,16 @@ class ButtonFlow(QWidget):
             widget.setParent(self)
         for before, after in pairwise(order):
             QWidget.setTabOrder(before, after)
+        self._arranged = None
         self.arrange()
 
     def arrange(self) -> None:
-        """Place all anew, after their sizes have changed."""
+        """Place all anew if their sizes, or the width that they have, have changed."""
+        order = (*self._needed, *self._extra, *self._last)
+        arranged = self.width(), order, [widget.sizeHint() for widget in order]
+        if arranged == self._arranged:
+            return
+        self._arranged = arranged
         self._place()
         self.updateGeometry()
         self.arranged.emit()

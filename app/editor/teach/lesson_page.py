@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayo
 
 from ...core.amounts import counted
 from ...core.wording import example_words
-from ...engine.snapshots import Snapshot
+from ...engine.snapshots import LessonView, Snapshot
 from .adding import AddList
 from .button import BehaviorButton, Ring
 from .choices import Choice, choices_of, examples_by_label
@@ -38,7 +38,7 @@ class LessonPage(QWidget):
         self.buttons: dict[str, BehaviorButton] = {}
         self._shortcuts: list[QShortcut] = []
         self._built_from: tuple[object, ...] = ()
-        self._shown_state: tuple[object, ...] = ()
+        self._shown_state = "", "", "", False
         self.flow = ButtonFlow()
         self.add = QToolButton()
         self.add.setText("+ add behavior")
@@ -150,9 +150,9 @@ class LessonPage(QWidget):
             self._built_from = built_from
             self.choices = choices_of(automaton, library, vocabulary, self._reserved())
             self._build()
-        self._count()
         self._tell()
-        self._show_state(force=True)
+        self._count()
+        self._show_rings(self._to_show(lesson))
 
     def _leave(self) -> None:
         for shortcut in self._shortcuts:
@@ -279,27 +279,28 @@ class LessonPage(QWidget):
         return f"Last: {said}"
 
     def _snapshot_changed(self, _snapshot: Snapshot) -> None:
-        if self._teaching.lesson is not None and self.isVisible():
-            self._show_state()
-
-    def _show_state(self, *, force: bool = False) -> None:
-        """Ring what the node does."""
-        teaching = self._teaching
-        lesson = teaching.lesson
-        if lesson is None:
+        lesson = self._teaching.lesson
+        if lesson is None or not self.isVisible():
             return
-        taught = teaching.node in lesson.taught or not lesson.testing
-        shown = (teaching.node, teaching.state, teaching.picked, taught)
-        if shown == self._shown_state and not force:
+        shown, before = self._to_show(lesson), self._shown_state
+        if shown == before:
             return
-        if shown[:2] != self._shown_state[:2]:
-            self._shown_state = shown
+        if shown[:2] != before[:2]:
             self._count()
+        self._show_rings(shown)
+
+    def _to_show(self, lesson: LessonView) -> tuple[str, str, str, bool]:
+        """The node, its state, the state that was picked for it, and whether it is in training."""
+        teaching = self._teaching
+        taught = teaching.node in lesson.taught or not lesson.testing
+        return teaching.node, teaching.state, teaching.picked, taught
+
+    def _show_rings(self, shown: tuple[str, str, str, bool]) -> None:
+        """Ring what the node does, and what it is about to do."""
         self._shown_state = shown
+        _, now, picked, taught = shown
         for state, button in self.buttons.items():
-            ring = Ring.NOW if state == teaching.state else Ring.NONE
-            if state == teaching.picked and ring is Ring.NONE:
-                ring = Ring.NEXT
+            ring = Ring.NOW if state == now else Ring.NEXT if state == picked else Ring.NONE
             button.show_ring(ring, "teach" if taught else "accent")
 
     def _dress(self) -> None:
