@@ -1,8 +1,12 @@
 """Which automata are stale is worked out again only for those that would be learned from something else."""
 
+from collections.abc import Sequence
+
 import pytest
 
+from app.core.automaton import Automaton
 from app.core.edits import disable_examples, note_project, rename_automaton
+from app.core.examples import Example
 from app.learner import freshness as module
 from app.learner.freshness import Freshness
 from app.learner.trainer import apply, fingerprint, learn
@@ -16,7 +20,7 @@ def worked_out(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The automata whose fingerprints were worked out, in this order."""
     found: list[str] = []
 
-    def noted(automaton, examples):  # type: ignore[no-untyped-def]
+    def noted(automaton: Automaton, examples: Sequence[Example]) -> str:
         found.append(automaton.id)
         return fingerprint(automaton, examples)
 
