@@ -34,6 +34,9 @@ PROJECT_WORLD = "the project's"
 #: How many agents a new arm has.
 FEW = 10
 
+#: What controllers are often called, from the lowest level up.
+USUAL_TYPES = ("group", "squad", "platoon", "company", "battalion")
+
 
 class ArmsPage(QWidget):
     """The list of arms, and the one that is chosen in full.
@@ -219,10 +222,11 @@ class ArmsPage(QWidget):
             self._do(set_hierarchy, arm.name, table)
 
     def _type_wanted(self, below: str) -> None:
-        """A type of controllers over another, called by its level until the user has a better name."""
+        """A type of controllers over another, called as such a level often is until the user has a better name."""
         types = self._studio.document.project.types
-        level = next((t.level for t in types if t.name == below), 0) + 1
-        self._do(add_type, fresh_name([t.name for t in types], f"level-{level}"), (below,))
+        level = next((t.level for t in types if t.name == below), 0)
+        usual = USUAL_TYPES[level] if level < len(USUAL_TYPES) else f"level-{level + 1}"
+        self._do(add_type, fresh_name([t.name for t in types], usual).replace(" ", "-"), (below,))
 
     def _set_parameter(self, name: str, value: Value | None) -> None:
         arm = self._arm

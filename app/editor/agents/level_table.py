@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import prod
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QGridLayout, QHBoxLayout, QSpinBox, QVBoxLayout, QWidget
 
+from ...core.amounts import counted
 from ...core.errors import HierarchyError
 from ...core.hierarchy import Hierarchy, Node, from_table, problems
 from ...core.library import NodeType
@@ -43,6 +45,7 @@ class LevelTableForm(QWidget):
         super().__init__()
         self._types: tuple[NodeType, ...] = ()
         self._forest: Hierarchy | LevelTable | None = None
+        self._begins = ""
         self.sizes: list[QSpinBox] = []
         self.types: list[QComboBox] = []
         self.words = caption("")
@@ -77,10 +80,8 @@ class LevelTableForm(QWidget):
         self._forest, self._types = forest, types
         table = forest if isinstance(forest, LevelTable) else as_table(forest)
         by_hand = not isinstance(forest, LevelTable)
-        self.words.setText(
-            "This forest was changed by hand; the table makes a new one."
-            if by_hand
-            else "From the roots down:"
+        self._begins = (
+            "This forest was changed by hand; the table makes a new one" if by_hand else "From the roots down"
         )
         if table is None:
             first = types[0].name if types else ""
@@ -88,6 +89,11 @@ class LevelTableForm(QWidget):
                 (sum(1 for _ in Hierarchy.agents(forest)) if isinstance(forest, Hierarchy) else 1,), (first,)
             )
         self._build(table.sizes, table.types)
+
+    @property
+    def _agents(self) -> int:
+        """How many agents the table makes."""
+        return prod(size.value() for size in self.sizes)
 
     def _use_types(self, types: tuple[NodeType, ...]) -> None:
         """Offer other types; what the fields say stays as far as there are those types."""
@@ -139,17 +145,16 @@ class LevelTableForm(QWidget):
     def _changed(self, *_: object) -> None:
         trouble = self._problem()
         self.trouble.say(trouble)
+        self.words.setText(f"{self._begins}: {counted(self._agents, 'agent')}")
         self.use.setEnabled(not trouble and self.table != self._forest)
         self.below.setEnabled(len(self.sizes) > 1)
         self.above.setEnabled(bool(self.types))
 
     def _problem(self) -> str:
         """What is wrong with the table, in words; one branch is enough to tell."""
-        table, agents = self.table, 1
-        for size in table.sizes:
-            agents *= size
-        if agents > MOST_AGENTS:
-            return f"that would be {agents:,} agents; allowed are {MOST_AGENTS:,}"
+        table = self.table
+        if self._agents > MOST_AGENTS:
+            return f"that would be {self._agents:,} agents; allowed are {MOST_AGENTS:,}"
         try:
             outline = from_table([1] * len(table.sizes), table.types)
         except HierarchyError as error:

@@ -24,7 +24,8 @@ def dialog(studio: Studio, qtbot: QtBot) -> Iterator[ArmsDialog]:
     qtbot.addWidget(panel)
     panel.show()
     dialog = arms_and_worlds(studio, panel)
-    qtbot.waitExposed(dialog)
+    with qtbot.waitExposed(dialog):
+        pass  # it has shown itself
     yield dialog
     panel.hide()
 
@@ -87,7 +88,7 @@ def test_levels_are_added_by_clicks_at_one_place_also_above_all_known_types(
     for _ in range(4):
         qtbot.mouseClick(page.table.above, LEFT, pos=page.table.above.mapFromGlobal(place))
         page.table.grab()  # lays it out
-    kinds = ("level-4", "level-3", "squad", "group", "agent")
+    kinds = ("company", "platoon", "squad", "group", "agent")
     assert page.table.table == LevelTable((1, 1, 1, 1, 50), kinds)
     for size in page.table.sizes:
         set_number(size, qtbot, "2")
