@@ -1,6 +1,7 @@
 """One color per behavior, the same everywhere: Okabe-Ito first, then a set that keeps its distance."""
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QColor
@@ -13,8 +14,10 @@ Key = tuple[str, str]
 
 #: Hues apart by the golden angle fill the circle evenly, however many there are.
 _GOLDEN = 0.618033988749895
-#: Lightness in turn, so that neighbors in hue differ in lightness, which every eye sees.
-_LIGHTNESS = (0.62, 0.42, 0.75)
+#: Relative luminance in turn, so that neighbors in hue differ in it, which every eye sees; each stands out from dark
+#: grounds and from light ones.
+_LUMINANCE = (0.28, 0.15, 0.42)
+_SATURATION, _HALVINGS = 0.55, 12
 
 
 class BehaviorColors(QObject):
@@ -69,7 +72,29 @@ def nth_color(place: int) -> QColor:
     if place < len(OKABE_ITO):
         return QColor(OKABE_ITO[place])
     further = place - len(OKABE_ITO)
-    return QColor.fromHslF((0.08 + further * _GOLDEN) % 1.0, 0.55, _LIGHTNESS[further % len(_LIGHTNESS)])
+    return QColor(_of_luminance((0.08 + further * _GOLDEN) % 1.0, _LUMINANCE[further % len(_LUMINANCE)]))
+
+
+@cache
+def _of_luminance(hue: float, wanted: float) -> str:
+    """The color of a hue that is as bright to the eye as wanted; equal lightness in HSL is far from that."""
+    low, high = 0.0, 1.0
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        if luminance(QColor.fromHslF(hue, _SATURATION, middle)) < wanted:
+            low = middle
+        else:
+            high = middle
+    return QColor.fromHslF(hue, _SATURATION, high).name()
+
+
+def luminance(color: QColor) -> float:
+    """Relative luminance as the Web Content Accessibility Guidelines have it, in [0, 1]."""
+    parts = [
+        part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4
+        for part in (color.redF(), color.greenF(), color.blueF())
+    ]
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), parts, strict=True))
 
 
 def _names(project: Project) -> Iterator[tuple[Key, str]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from ..icons import icon
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: Pixels of a swatch, and how many entries stand side by side at most; the others are in a menu.
 SWATCH, MOST = 15, 9
+#: Pixels of a name at most, so that there is room for others beside it; all of it is in the tool tip.
+LONGEST = 170
 _SHAPE_WORDS = ("filled arrow: runs an automaton", "outlined arrow: a basic behavior only", "ring: idles")
 _MENU = ("canvas.hulls", "canvas.links", "canvas.ranges", "canvas.trails", "canvas.all_trails", "canvas.grid")
 
@@ -107,7 +109,7 @@ class Legend(QFrame):
         used, left = 0, self._room - 90
         for entry, count in self._rows[:MOST]:
             button = self._entry(entry)
-            button.setText(_counted(entry, count))
+            button.setText(self._label(entry, count))
             used += button.sizeHint().width() + 2
             if used > left:
                 button.hide()
@@ -119,7 +121,7 @@ class Legend(QFrame):
         self._fill_more(self._rows[len(self.buttons) :])
 
     def _entry(self, entry: Entry) -> QToolButton:
-        button = self._flat(f"Light up these agents ({_shape_words(entry.shape)})")
+        button = self._flat(f"{entry.words}: light up these agents ({_shape_words(entry.shape)})")
         button.setCheckable(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIcon(self._swatch(entry))
@@ -131,7 +133,7 @@ class Legend(QFrame):
         for entry, count in self._rows:
             button = self.buttons.get(entry.words)
             if button is not None:
-                button.setText(_counted(entry, count))
+                button.setText(self._label(entry, count))
                 button.setAccessibleName(f"{count} {entry.words}: light up")
                 button.blockSignals(True)
                 button.setChecked(entry.words in self._looking.lit)
@@ -141,13 +143,18 @@ class Legend(QFrame):
         if self.size() != before:
             self.resized.emit()
 
+    def _label(self, entry: Entry, count: int) -> str:
+        """What stands on its button."""
+        name = QFontMetrics(self.font()).elidedText(entry.words, Qt.TextElideMode.ElideRight, LONGEST)
+        return _counted(name, count)
+
     def _fill_more(self, rows: list[tuple[Entry, int]]) -> None:
         self.more.setVisible(bool(rows))
         self.more.setText(f"+{len(rows)}")
         menu = self.more.menu()
         menu.clear()
         for entry, count in rows:
-            action = menu.addAction(self._swatch(entry), _counted(entry, count))
+            action = menu.addAction(self._swatch(entry), _counted(entry.words, count))
             action.setCheckable(True)
             action.setChecked(entry.words in self._looking.lit)
             action.toggled.connect(lambda on, words=entry.words: self._looking.light(words, on=on))
@@ -185,10 +192,10 @@ def _shape_words(shape: int) -> str:
     return f"{words}; a bar at its nose: attached" if shape >= SHAPES else words
 
 
-def _counted(entry: Entry, count: int) -> str:
+def _counted(name: str, count: int) -> str:
     """The count stands apart from a name that ends in a number."""
-    apart = " · " if entry.words[-1:].isdigit() else " "
-    return f"{entry.words}{apart}{count:,}"
+    apart = " · " if name[-1:].isdigit() else " "
+    return f"{name}{apart}{count:,}"
 
 
 def _rgb(name: str) -> tuple[int, int, int]:

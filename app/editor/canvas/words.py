@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: So many features of an automaton are told under the mouse.
 MOST_FEATURES = 5
+#: Letters of a name on the badge at most: it is not to cover the world.
+LONGEST = 32
 
 
 def badge_words(studio: Studio) -> str:
@@ -25,7 +27,7 @@ def badge_words(studio: Studio) -> str:
     if snapshot is None or lesson is None:
         return ""
     behavior = studio.document.automaton(lesson.plan.type, lesson.plan.automaton)
-    name = behavior.name if behavior is not None else lesson.plan.automaton
+    name = _short(behavior.name if behavior is not None else lesson.plan.automaton)
     if snapshot.mode is Mode.LEARNING:
         return f"Learning {name}…"
     if not lesson.testing:
@@ -33,6 +35,10 @@ def badge_words(studio: Studio) -> str:
     if snapshot.taught:
         return f"Testing {name} · {_several(snapshot, sorted(snapshot.taught))} in training"
     return f"Testing {name}"
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= LONGEST else f"{name[: LONGEST - 1].rstrip()}…"
 
 
 def _pupils(snapshot: Snapshot, lesson: LessonView, studio: Studio) -> str:
@@ -48,7 +54,7 @@ def _several(snapshot: Snapshot, nodes: list[str]) -> str:
 
 def _within(snapshot: Snapshot, node: str) -> str:
     """What a node is called within a sentence: one that has no name of its own is not written large."""
-    name = snapshot.place.called(node)
+    name = _short(snapshot.place.called(node))
     return name[:1].lower() + name[1:] if name.lower() == node.lower().replace("-", " ") else name
 
 

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from ...core.examples import Example
     from .model import ExamplesModel, Subject
 
+#: Pixels that a box is wide at least, and that it needs beside its words.
+LEAST, FRAME = 68, 42
+
 
 class FilterBar(QWidget):
     """A row of boxes, each of which narrows the table.
@@ -108,8 +111,9 @@ class FilterBar(QWidget):
         box = QComboBox()
         box.setToolTip(tip)
         box.setAccessibleName(f"filter: {caption}")
-        box.setMinimumContentsLength(3)
+        box.setMinimumContentsLength(1)
         box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        box.setMinimumWidth(max(LEAST, box.fontMetrics().horizontalAdvance(caption) + FRAME))
         box.setMaximumWidth(150)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.addItem(caption[:1].upper() + caption[1:], None)  # that filters nothing: as the column is called

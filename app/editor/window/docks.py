@@ -26,6 +26,11 @@ if TYPE_CHECKING:
 Area = Qt.DockWidgetArea
 #: Pixels that the left and right columns get at first, and more of a window wider than so many.
 LEFT, RIGHT, WIDTH = 252, 372, 1440
+#: Pixels of the words on a tab at most.
+TAB = 230
+#: In a window lower than so many pixels, some panels share a place or are lower, so that each still shows something; the
+#: right column gets what the world, which is as high as wide, has no use for.
+LOW, LOW_RIGHT = 860, 404
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +44,8 @@ class DockRow:
         tab_of: The panel that it shares a place with, as a tab.
         keys: Shortcut that brings it to the front.
         height: Pixels that it gets at first, where several stand below each other.
+        low_tab_of: The panel that it shares a place with, as a tab, in a low window.
+        low: Pixels that it gets at first in a low window; as many as elsewhere if it is 0.
     """
 
     id: str
@@ -49,6 +56,8 @@ class DockRow:
     tab_of: str = ""
     keys: str = ""
     height: int = 0
+    low_tab_of: str = ""
+    low: int = 0
 
 
 DOCKS: tuple[DockRow, ...] = (
@@ -56,12 +65,26 @@ DOCKS: tuple[DockRow, ...] = (
     DockRow(
         "agents", "Agents", AgentsPanel, Area.LeftDockWidgetArea, under="library", keys="Alt+2", height=270
     ),
-    DockRow("graph", "Automaton", GraphPanel, Area.RightDockWidgetArea, keys="Alt+3", height=300),
+    DockRow("graph", "Automaton", GraphPanel, Area.RightDockWidgetArea, keys="Alt+3", height=300, low=490),
     DockRow(
-        "tree", "Decision tree", TreePanel, Area.RightDockWidgetArea, under="graph", keys="Alt+4", height=250
+        "tree",
+        "Decision tree",
+        TreePanel,
+        Area.RightDockWidgetArea,
+        under="graph",
+        keys="Alt+4",
+        height=250,
+        low_tab_of="graph",
     ),
     DockRow(
-        "inspector", "Why", InspectorPanel, Area.RightDockWidgetArea, under="tree", keys="Alt+5", height=160
+        "inspector",
+        "Why",
+        InspectorPanel,
+        Area.RightDockWidgetArea,
+        under="tree",
+        keys="Alt+5",
+        height=160,
+        low=210,
     ),
     DockRow("teach", "Teach", TeachPanel, Area.BottomDockWidgetArea, keys="Alt+6", height=112),
     DockRow(
@@ -72,6 +95,7 @@ DOCKS: tuple[DockRow, ...] = (
         under="teach",
         keys="Alt+7",
         height=190,
+        low=172,
     ),
     DockRow("plots", "Plots", PlotsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+9"),
     DockRow(
@@ -90,13 +114,26 @@ class Dock(QDockWidget):
         self.setWidget(panel)
         self.title = _Title(row.title)
         self._no_title = QWidget()
+        self._told = row.title
         self.setTitleBarWidget(self.title)
         for part in (panel, self.title):
             # The style sheet paints the ground of panels.
             part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         if hasattr(panel, "title_changed"):
-            panel.title_changed.connect(self.setWindowTitle)
-        self.windowTitleChanged.connect(self.title.label.setText)
+            panel.title_changed.connect(self._tell)
+
+    def _tell(self, title: str) -> None:
+        """Show what the panel is called now: all of it in the title, what there is room for on a tab."""
+        self._told = title
+        self.title.label.setText(title)
+        folded = self.titleBarWidget() is not self.title
+        self.setWindowTitle(self._on_tab(title) if folded else title)
+
+    def _on_tab(self, title: str) -> str:
+        """A tab that always stands beside another one says no more than what it is."""
+        if self.row.low_tab_of:
+            return self.row.title
+        return self.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, TAB)
 
     def fold_title(self, *, folded: bool) -> None:
         """Show no title, or show it: where docks are tabs, the tab says it already."""
@@ -105,6 +142,7 @@ class Dock(QDockWidget):
             self.titleBarWidget().hide()
             self.setTitleBarWidget(wanted)
             wanted.show()
+            self._tell(self._told)
 
 
 class _Words(QLabel):
@@ -154,11 +192,24 @@ def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
     return docks
 
 
+def share_places(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+    """In a low window, let panels that would be too low to show anything be tabs of others."""
+    for row in DOCKS:
+        if row.low_tab_of and is_low(window):
+            window.tabifyDockWidget(docks[row.low_tab_of], docks[row.id])
+            docks[row.low_tab_of].raise_()
+
+
 def size_docks(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
     """Give docks the sizes that they have at first; only a window on the screen can."""
-    sized = [row for row in DOCKS if row.height]
-    heights = [row.height for row in sized]
+    sized = [row for row in DOCKS if row.height and not (row.low_tab_of and is_low(window))]
+    heights = [(row.low or row.height) if is_low(window) else row.height for row in sized]
     window.resizeDocks([docks[row.id] for row in sized], heights, Qt.Orientation.Vertical)
     more = max(0, window.width() - WIDTH)
-    columns = [LEFT + more // 10, RIGHT + more // 4]
+    columns = [LEFT + more // 10, (LOW_RIGHT if is_low(window) else RIGHT) + more // 4]
     window.resizeDocks([docks["library"], docks["graph"]], columns, Qt.Orientation.Horizontal)
+
+
+def is_low(window: QMainWindow) -> bool:
+    """Whether all panels below each other would leave too little of each."""
+    return window.height() < LOW

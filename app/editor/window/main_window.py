@@ -23,7 +23,7 @@ from ..exporting.dialog import export_rows
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
-from .docks import DOCKS, Dock, place_docks, size_docks
+from .docks import DOCKS, Dock, place_docks, share_places, size_docks
 from .keys import OwnKeys
 from .messages import MessageBar
 from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
@@ -160,6 +160,7 @@ class MainWindow(QMainWindow):
         self.restoreState(self._standard)
         for dock in self.docks.values():
             dock.setVisible(self.studio.is_open)
+        share_places(self, self.docks)
         self._size_docks_soon()
 
     def _size_docks_soon(self) -> None:

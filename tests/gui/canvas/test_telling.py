@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt
 
+from app.core.edits import rename_automaton
 from app.editor.canvas.coloring import ColorBy
 from app.editor.theme import ThemeMode
 from app.engine.commands import RunArm, Step, Teach
@@ -98,10 +99,24 @@ def test_the_badge_says_what_the_session_is_for(pilot: Pilot) -> None:
     pilot.send(Teach("agent", "forage", ("agent-17",)))
     pilot.wait(pilot.canvas.badge.isVisible)
     assert pilot.canvas.badge.text() == "● Teaching agent 17"
+    pilot.wait(pilot.studio.actions["teach.test"].isEnabled)
     pilot.studio.actions["teach.test"].trigger()
     pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing Forage")
     pilot.send(RunArm())
     pilot.wait(lambda: not pilot.canvas.badge.isVisible())
+
+
+def test_a_long_name_leaves_room_for_the_world_and_for_other_names(pilot: Pilot) -> None:
+    name = "A name that somebody gives who says everything"
+    pilot.studio.document.do(rename_automaton, "agent", "forage", name)
+    pilot.send(Teach("agent", "forage", ("agent-17",)))
+    legend = pilot.canvas.legend
+    pilot.wait(lambda: name in legend.buttons)
+    assert "…" in legend.buttons[name].text()
+    assert legend.buttons[name].toolTip().startswith(name)
+    pilot.wait(pilot.studio.actions["teach.test"].isEnabled)
+    pilot.studio.actions["teach.test"].trigger()
+    pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing A name that somebody gives who…")
 
 
 def test_a_failure_is_told_with_a_way_out(pilot: Pilot) -> None:

@@ -106,6 +106,35 @@ def test_a_world_of_rigid_bodies_is_begun_from_the_menu(
     assert studio.actions["run.rigid"].isChecked()
 
 
+@pytest.mark.parametrize(("height", "shared"), [(800, True), (900, False)])
+def test_in_a_low_window_the_automaton_and_its_tree_share_a_place(
+    window: MainWindow, studio: Studio, qtbot: QtBot, height: int, *, shared: bool
+) -> None:
+    window.resize(1280, height)
+    studio.actions["view.standard"].trigger()
+    graph, tree = window.docks["graph"], window.docks["tree"]
+    assert (tree in window.tabifiedDockWidgets(graph)) is shared
+    qtbot.waitUntil(lambda: graph.isVisible() and not graph.visibleRegion().isEmpty(), timeout=PATIENCE)
+    assert tree.visibleRegion().isEmpty() is shared
+    window.show_panel("tree")
+    qtbot.waitUntil(lambda: not tree.visibleRegion().isEmpty(), timeout=PATIENCE)
+
+
+def test_a_tab_says_what_it_is_however_long_names_are(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    window.resize(1280, 800)
+    studio.actions["view.standard"].trigger()
+    name = "A behavior that somebody has given a name of many words"
+    studio.selection.select_behavior(BehaviorKey("agent", studio.document.do(add_automaton, "agent", name)))
+    graph, tree = window.docks["graph"], window.docks["tree"]
+    qtbot.waitUntil(lambda: graph.windowTitle().startswith("Automaton · A behavior"), timeout=PATIENCE)
+    assert graph.windowTitle().endswith("…")
+    assert tree.windowTitle() == "Decision tree"
+    graph.setFloating(True)
+    qtbot.waitUntil(lambda: graph.windowTitle() == f"Automaton · {name}", timeout=PATIENCE)
+
+
 def test_opening_another_project_leaves_window_and_panels_where_they_are(
     window: MainWindow, studio: Studio, foraging: Project
 ) -> None:
