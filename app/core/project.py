@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from .automaton import State
 from .errors import EditError
 from .examples import Example, Moment
 from .hierarchy import Hierarchy, from_table
@@ -78,6 +79,7 @@ class Demonstration:
         arguments: Ground targets for the automaton's parameters while it was taught.
         others: What the nodes that are not taught do meanwhile: ``idle`` or ``run``.
         ticks: How long it went on.
+        removed: States that were picked and that the automaton has no longer, as they were.
     """
 
     id: str
@@ -91,6 +93,11 @@ class Demonstration:
     arguments: Mapping[str, str] = field(default_factory=dict)
     others: str = "idle"
     note: str = ""
+    removed: tuple[State, ...] = ()
+
+    def mentions(self, state_id: str) -> bool:
+        """Whether a state is picked in it."""
+        return any(pick.state == state_id for pick in self.picks)
 
 
 @dataclass(frozen=True, slots=True)

@@ -236,19 +236,23 @@ class Course:
             self._answered.add(act.node)
             self._close_question()
 
-    def _noted(self, lesson: Lesson, node_id: str, state: str, kind: str, *, answers: bool) -> None:
+    def _noted(self, lesson: Lesson, act: Act, state: str, kind: str, *, answers: bool) -> None:
         """Remember an act of the hand, for whoever keeps demonstrations."""
         if answers and kind == "pick":
             kind = "answer"
         elif answers:
             self._transcript.spoil("a question was answered by what should not have been left")
-        learning = self._waits_for is not None and not lesson.testing
-        self._transcript.pick(DemonstratedAct(self.tick, node_id, state, kind), learning=learning)
+        done = DemonstratedAct(self.tick, act.node, state, kind)
+        self._transcript.pick(done, learning=self._will_test(lesson), added=act.recorded.state)
         self._tell_demonstrated()
+
+    def _will_test(self, lesson: Lesson) -> bool:
+        """Whether a test waits for what it learns."""
+        return self._waits_for is not None and not lesson.testing
 
     def _tell_demonstrated(self) -> None:
         transcript = self._transcript
-        self._events.append(Demonstrated(transcript.demonstration, transcript.obstacle))
+        self._events.append(Demonstrated(transcript.demonstration(self.project), transcript.obstacle))
 
     # --------------------------------------------------------------------------------------- asking the user
 

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 
+from ..core.automaton import State
 from ..core.edits.examples import replace_examples
 from ..core.edits.learned import set_learned
 from ..core.edits.moments import with_moments, without_stray_moments
-from ..core.edits.place import with_examples
+from ..core.edits.place import change, with_examples
+from ..core.edits.states import remove_state
 from ..core.errors import SessionError, UnderstudyError
 from ..core.project import Demonstration, Pick, Project
 from ..learner.builder import LearningCancelled
@@ -43,6 +45,8 @@ def play(
     passed: Callable[[int], None] | None = None,
 ) -> Project:
     """The project with the examples that *demonstration* records.
+
+    States that were removed since are there while it is played, and are removed once more after it.
 
     Args:
         passed: Told now and then how many ticks have passed; it may raise to end the play.
@@ -123,11 +127,13 @@ class _Play:
     ) -> None:
         self._demonstration = demonstration
         self._passed = passed
+        self._kept = project.demonstrations
         self._vocabulary = scenario.vocabulary
         settings = {f"world.{name}": value for name, value in demonstration.parameters.items()}
         settings["engine"] = REFERENCE  # it steps lessons in any case, so nothing is compiled first
         with self._blaming():
             arm, seed = demonstration.arm, demonstration.seed
+            project, self._revived = _with_removed(project, demonstration)
             self._session = Session(project, scenario, arm, seed, settings=settings)
 
     def project(self) -> Project:
@@ -137,7 +143,14 @@ class _Play:
             self._send(self._learned() if isinstance(command, Learn) else command)
         self._until(self._demonstration.ticks)
         self._session.close()
-        return self._session.project
+        return self._without_revived(self._session.project)
+
+    def _without_revived(self, project: Project) -> Project:
+        where = where_of(self._demonstration)
+        for state in self._revived:
+            if project.library(where[0]).get(where[1]).has_state(state.id):
+                project = remove_state(project, *where, state.id)
+        return replace(project, demonstrations=self._kept)
 
     def _learned(self) -> Command:
         project, where = self._session.project, where_of(self._demonstration)
@@ -221,6 +234,16 @@ def recreate(
 def where_of(demonstration: Demonstration) -> Where:
     """What a demonstration teaches."""
     return demonstration.type, demonstration.automaton
+
+
+def _with_removed(project: Project, demonstration: Demonstration) -> tuple[Project, tuple[State, ...]]:
+    """*project* with the states that the demonstration picks and the automaton has no longer, and these."""
+    automaton = project.library(demonstration.type).automata.get(demonstration.automaton)
+    if automaton is None:
+        return project, ()
+    lacking = tuple(state for state in demonstration.removed if not automaton.has_state(state.id))
+    states = (*automaton.states, *lacking)
+    return change(project, *where_of(demonstration), states=states), lacking
 
 
 def _untaught(project: Project, taught: Collection[Where]) -> Project:

@@ -182,20 +182,21 @@ class Session(Course):
         self._do(lesson, act)
         if hand_back:
             self._answered.add(node)
-        self._noted(lesson, node, act.goal, "pick", answers=hand_back)
+        self._noted(lesson, act, act.goal, "pick", answers=hand_back)
 
     @_obey.register
     def _(self, command: ShouldNotHaveLeft) -> None:
         lesson, node = self._taught(), command.node
         act, asked = lesson.should_not_have_left(self._without_waiting(node), node), self._asks_about(node)
         self._do(lesson, act)
-        self._noted(lesson, node, "", "should not have left", answers=asked)
+        self._noted(lesson, act, "", "should not have left", answers=asked)
 
     @_obey.register
     def _(self, _: UndoPick) -> None:
-        self._change(TakenBack(self._taught().undo().recorded))
+        lesson = self._taught()
+        self._change(TakenBack(lesson.undo().recorded))
         self._reconsider()
-        self._transcript.undo(self.tick)
+        self._transcript.undo(self.tick, learning=self._will_test(lesson))
         self._tell_demonstrated()
 
     @_obey.register

@@ -1,9 +1,9 @@
 """What the hand does in a world as a literal demonstration, as long as playing that would record the same examples."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from ..core.automaton import Automaton
+from ..core.automaton import Automaton, State
 from ..core.project import Arm, Demonstration, Pick, Project, Value
 from ..learner.trainer import fingerprint
 from .commands import Teach
@@ -32,7 +32,8 @@ class Transcript:
         self._plan: Teach | None = None
         self._over = self._edited = False
         self._acts: list[Pick] = []
-        self._live: list[int] = []  # where the picks stand whose examples are there
+        self._live: list[Pick] = []  # those of the acts whose examples are there
+        self._added: dict[str, State] = {}
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
         self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
@@ -51,7 +52,7 @@ class Transcript:
                 self.spoil(f"the project was changed while the world ran. {AGAIN}")
         elif self._over or replace(before, nodes=()) != replace(plan, nodes=()):
             self.spoil(f"this world has been taught in before. {AGAIN}")
-            self._acts, self._live = [], []
+            self._acts, self._live, self._added = [], [], {}
         self._over = False
         acts = [Pick(tick, node, act="teach") for node in plan.nodes]
         if self._acts and (self._acts[-1].act, self._acts[-1].tick) == ("teach", tick):
@@ -69,23 +70,47 @@ class Transcript:
         if self._acts and self._acts[-1].act == "test":
             self._acts.pop()
 
-    def pick(self, act: Pick, *, learning: bool = False) -> None:
-        """Something was taught by a pick or the like, perhaps while a test waited for what it learns."""
-        for at in self._live:
-            if (self._acts[at].node, self._acts[at].tick) == (act.node, act.tick):
-                self._live = [
-                    other for other in self._live if other != at
-                ]  # a second pick replaces the first
-        if learning and self._acts and self._acts[-1].act == "test":
-            self._acts.insert(len(self._acts) - 1, act)  # the test has not begun yet
-            self._live.append(len(self._acts) - 2)
-        else:
-            self._acts.append(act)
-            self._live.append(len(self._acts) - 1)
+    def pick(self, act: Pick, *, learning: bool = False, added: State | None = None) -> None:
+        """Something was taught by a pick or the like, perhaps while a test waited for what it learns.
 
-    def undo(self, tick: int) -> None:
-        """The last pick was taken back."""
-        self._acts.append(Pick(tick, "", act="undo"))
+        Args:
+            added: The state that the automaton has since this pick.
+        """
+        if added is not None:
+            self._added[added.id] = added
+        for old in [old for old in self._live if (old.node, old.tick) == (act.node, act.tick)]:
+            act = self._replaced(old, act)
+        self._insert(act, learning=learning)
+        self._live.append(act)
+
+    def _replaced(self, old: Pick, act: Pick) -> Pick:
+        """A second pick before the next tick replaces the first, which is as if it had never been.
+
+        Returns:
+            The second as it is to be played: what replaces an answer is one.
+        """
+        self._forget(old)
+        if old.act == "answer" and act.act == "pick":
+            return replace(act, act="answer")
+        if old.act == "answer" and act.act != "answer":
+            self.spoil("an answer was replaced by what should not have been left")
+        return act
+
+    def _insert(self, act: Pick, *, learning: bool) -> None:
+        """A test that waits for what it learns has not begun yet."""
+        waits = learning and self._acts and self._acts[-1].act == "test"
+        self._acts.insert(len(self._acts) - 1 if waits else len(self._acts), act)
+
+    def _forget(self, act: Pick) -> None:
+        self._live = [other for other in self._live if other is not act]
+        self._acts = [other for other in self._acts if other is not act]
+
+    def undo(self, tick: int, *, learning: bool = False) -> None:
+        """The last pick was taken back; where no tick had carried it out, it is as if it had never been."""
+        if self._live and self._live[-1].tick == tick:
+            self._forget(self._live[-1])
+            return
+        self._insert(Pick(tick, "", act="undo"), learning=learning)
         if self._live:
             self._live.pop()
 
@@ -122,25 +147,32 @@ class Transcript:
 
     # ------------------------------------------------------------------------------------------ the result
 
-    @property
-    def demonstration(self) -> Demonstration | None:
-        """What was done up to the last pick that stands; None if there is none."""
+    def demonstration(self, project: Project) -> Demonstration | None:
+        """What was done up to the last pick that stands, with what *project* lacks of it; None if there is none."""
         plan = self._plan
         if plan is None or not self._live:
             return None
         last = self._live[-1]
+        acts = self._acts[: 1 + next(at for at, act in enumerate(self._acts) if act is last)]
         return Demonstration(
             plan.demonstration,
             plan.type,
             plan.automaton,
             self._arm,
             self._seed,
-            tuple(self._acts[: last + 1]),
-            self._acts[last].tick + 1,
+            tuple(acts),
+            last.tick + 1,
             self._parameters,
             dict(plan.arguments),
             str(plan.others),
+            removed=self._removed(acts, project.library(plan.type).automata.get(plan.automaton)),
         )
+
+    def _removed(self, acts: Sequence[Pick], automaton: Automaton | None) -> tuple[State, ...]:
+        """States that picks added, and that went with them when they were taken back."""
+        picked = dict.fromkeys(act.state for act in acts)
+        there = {state.id for state in automaton.states} if automaton is not None else set()
+        return tuple(self._added[name] for name in picked if name in self._added and name not in there)
 
 
 def _arm(project: Project, name: str) -> Arm | None:

@@ -154,6 +154,8 @@ def _tick_problems(demonstration: Demonstration) -> Iterator[Problem]:
 def _pick_problems(
     demonstration: Demonstration, automaton: Automaton | None, nodes: Mapping[str, str] | None
 ) -> Iterator[Problem]:
+    states_now = automaton.states if automaton is not None else ()
+    there = {state.id for state in (*states_now, *demonstration.removed)}
     for index, pick in enumerate(demonstration.picks):
         if pick.act not in ACTS:
             message = f"{pick.act!r} is nothing that a hand can do; {allowed(pick.act, ACTS)}"
@@ -162,7 +164,7 @@ def _pick_problems(
         if nodes is not None and (pick.node or picks):
             for message in _node_problems(demonstration, pick.node, nodes):
                 yield _error(demonstration.id, place("picks", index, "node"), message)
-        if picks and automaton is not None and not automaton.has_state(pick.state):
+        if picks and automaton is not None and pick.state not in there:
             states = [state.id for state in automaton.states]
             message = f"{automaton.name} has no state {pick.state!r}; {allowed(pick.state, states)}"
             yield _error(demonstration.id, place("picks", index, "state"), message)

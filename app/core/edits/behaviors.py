@@ -9,7 +9,7 @@ from ..errors import EditError
 from ..naming import fresh_id, fresh_name
 from ..project import Project
 from ..vocabulary import BasicBehavior
-from .bindings import map_bindings, parameter_uses, renamed_parameter
+from .bindings import map_bindings, parameter_uses, renamed_parameter, with_bindings
 from .calls import Call, change_calls, refuse_shared, starting, users
 from .moments import without_stray_moments
 from .place import (
@@ -174,7 +174,15 @@ def rename_parameter(project: Project, type_name: str, automaton_id: str, old: s
         return project
     refuse_shared(project, type_name, automaton_id, "change the parameters of")
     project = _rename_slots(project, type_name, automaton_id, {old: new})
-    inside = map_bindings(find_automaton(project, type_name, automaton_id), renamed_parameter(old, new))
+    renamed = renamed_parameter(old, new)
+    inside = map_bindings(find_automaton(project, type_name, automaton_id), renamed)
+    demonstrations = tuple(
+        replace(d, removed=with_bindings(d.removed, renamed))
+        if (d.type, d.automaton) == (type_name, automaton_id)
+        else d
+        for d in project.demonstrations
+    )
+    project = replace(project, demonstrations=demonstrations)
     return with_automaton(project, type_name, replace(inside, parameters=parameters))
 
 
@@ -188,13 +196,14 @@ def _rename_slots(
     def changed(call: Call) -> Call:
         return replace(call, bindings=_renamed_keys(call.bindings, names))
 
+    project = change_calls(project, type_name, automaton_id, changed)
     demonstrations = tuple(
         replace(d, arguments=_renamed_keys(d.arguments, names))
         if (d.type, d.automaton) == (type_name, automaton_id)
         else d
         for d in project.demonstrations
     )
-    return replace(change_calls(project, type_name, automaton_id, changed), demonstrations=demonstrations)
+    return replace(project, demonstrations=demonstrations)
 
 
 def _renamed_keys(bound: Mapping[str, V], names: Mapping[str, str | None]) -> dict[str, V]:

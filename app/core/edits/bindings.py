@@ -1,9 +1,9 @@
 """Bindings inside an automaton: finding those to a parameter, and changing them everywhere at once."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
-from ..automaton import Automaton, Basic, Content, Nested
+from ..automaton import Automaton, Basic, Content, Nested, State
 from ..features import Binding, Bindings, FeatureUse, Parameter, Sense, Source, Statistic
 from ..library import Library
 from ..naming import shown_state
@@ -42,9 +42,14 @@ def _uses(automaton: Automaton, bound: Binding, library: Library) -> Iterator[st
 
 def map_bindings(automaton: Automaton, changed: ChangeBinding) -> Automaton:
     """*automaton* with every binding in it *changed*."""
-    states = tuple(replace(state, content=_content(state.content, changed)) for state in automaton.states)
+    states = with_bindings(automaton.states, changed)
     features = tuple(_feature(use, changed) for use in automaton.features)
     return replace(automaton, states=states, features=features)
+
+
+def with_bindings(states: Iterable[State], changed: ChangeBinding) -> tuple[State, ...]:
+    """*states* with every binding in them *changed*."""
+    return tuple(replace(state, content=_content(state.content, changed)) for state in states)
 
 
 def _content(content: Content, changed: ChangeBinding) -> Content:

@@ -114,14 +114,40 @@ def refuse_shared(project: Project, type_name: str, automaton_id: str, act: str)
 def change_calls(
     project: Project, type_name: str, automaton_id: str, changed: Callable[[Call], Call]
 ) -> Project:
-    """*project* with the content of every state that holds or directs the automaton *changed*."""
+    """*project* with the content of every state that holds or directs the automaton *changed*.
+
+    That goes for states, too, that were removed and are only remembered by demonstrations.
+    """
     found = list(callers(project, type_name, automaton_id))
+    project = _change_removed(project, type_name, automaton_id, changed)
     for caller_type, user_id in dict.fromkeys((caller.type, caller.automaton.id) for caller in found):
         called = {c.state.id for c in found if (c.type, c.automaton.id) == (caller_type, user_id)}
         user = find_automaton(project, caller_type, user_id)
         states = tuple(_changed(state, changed) if state.id in called else state for state in user.states)
         project = with_automaton(project, caller_type, replace(user, states=states))
     return project
+
+
+def _change_removed(
+    project: Project, type_name: str, automaton_id: str, changed: Callable[[Call], Call]
+) -> Project:
+    if not any(demonstration.removed for demonstration in project.demonstrations):
+        return project
+    name = find_automaton(project, type_name, automaton_id).name
+    above = meanings(project, type_name, name)
+
+    def in_step(state: State, of_type: str) -> State:
+        held, basic = state.content, of_type in above
+        calls = (isinstance(held, Nested) and of_type == type_name and held.automaton == automaton_id) or (
+            isinstance(held, Basic) and basic and held.behavior == name
+        )
+        return _changed(state, changed) if calls else state
+
+    demonstrations = tuple(
+        replace(d, removed=tuple(in_step(state, d.type) for state in d.removed))
+        for d in project.demonstrations
+    )
+    return replace(project, demonstrations=demonstrations)
 
 
 def _changed(state: State, changed: Callable[[Call], Call]) -> State:

@@ -1,7 +1,8 @@
 """Edits of an automaton's states.
 
 Removing a state takes its rules, prunes and learned models along. Examples that mention it stay, disabled, so that
-nothing a user demonstrated is lost; its id is not given out again while they are there.
+nothing a user demonstrated is lost, and demonstrations in which it was picked keep what it was, so that they can still
+be played; its id is not given out again while these are there.
 """
 
 from collections.abc import Iterable
@@ -12,7 +13,7 @@ from ..errors import EditError
 from ..examples import Example
 from ..features import Binding
 from ..naming import fresh_id, shown_content
-from ..project import Project
+from ..project import Demonstration, Project
 from .place import change, find_automaton, find_state, listed, moved, with_examples, with_layout
 from .recursion import refuse_recursion
 from .words import says
@@ -71,7 +72,7 @@ def refuse_content(project: Project, type_name: str, content: Content) -> None:
 def remove_state(project: Project, type_name: str, automaton_id: str, state_id: str) -> Project:
     """No such state any more, nor its rules, prunes and learned models; examples that mention it are disabled."""
     automaton = find_automaton(project, type_name, automaton_id)
-    find_state(project, type_name, automaton, state_id)
+    removed = find_state(project, type_name, automaton, state_id)
     if state_id == START:
         raise EditError(f"Start of {automaton.name} cannot be removed")
     learned = {
@@ -93,7 +94,23 @@ def remove_state(project: Project, type_name: str, automaton_id: str, state_id: 
     examples = project.examples_of(type_name, automaton_id)
     places = {i: at for i, at in project.layout_of(type_name, automaton_id).items() if i != state_id}
     project = with_layout(project, type_name, automaton_id, places)
+    project = _remembered(project, type_name, automaton_id, removed)
     return with_examples(project, type_name, automaton_id, tuple(_disabled(e, state_id) for e in examples))
+
+
+def _remembered(project: Project, type_name: str, automaton_id: str, removed: State) -> Project:
+    """*project* whose demonstrations keep what a removed state was, where it was picked."""
+
+    def remembering(demonstration: Demonstration) -> Demonstration:
+        where = demonstration.type, demonstration.automaton
+        known = removed.id in {state.id for state in demonstration.removed}
+        if known or where != (type_name, automaton_id) or not demonstration.mentions(removed.id):
+            return demonstration
+        return replace(demonstration, removed=(*demonstration.removed, removed))
+
+    demonstrations = tuple(map(remembering, project.demonstrations))
+    same = demonstrations == project.demonstrations
+    return project if same else replace(project, demonstrations=demonstrations)
 
 
 def _prunes_without(prunes: Iterable[Prune], state_id: str) -> tuple[Prune, ...]:

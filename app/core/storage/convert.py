@@ -68,7 +68,7 @@ def automaton_document(automaton: Automaton) -> Document:
         "id": automaton.id,
         "name": automaton.name,
         "parameters": list(automaton.parameters),
-        "states": [_state_document(state) for state in automaton.states],
+        "states": [state_document(state) for state in automaton.states],
         "features": [_feature_use_document(use) for use in automaton.features],
         "rules": [_rule_document(rule) for rule in automaton.rules],
         "learned": {state: _model_document(model) for state, model in automaton.learned.items()},
@@ -86,7 +86,7 @@ def automaton_value(record: AutomatonRecord) -> Automaton:
         record.id,
         record.name,
         tuple(record.parameters),
-        tuple(_state_value(state) for state in record.states),
+        tuple(state_value(state) for state in record.states),
         tuple(_feature_use_value(use) for use in record.features),
         tuple(_rule_value(rule) for rule in record.rules),
         {state: _model_value(model) for state, model in record.learned.items()},
@@ -154,12 +154,14 @@ def _summed_value(record: SenseRecord | FlagUpRecord) -> Sense | FlagUp:
 # ----------------------------------------------------------------------------------------- states, rules, prunes
 
 
-def _state_document(state: State) -> Document:
+def state_document(state: State) -> Document:
+    """*state* as the files of automata and demonstrations hold it."""
     content = _content_document(state.content)
     return {"id": state.id, "content": content, "name": state.name, "note": state.note}
 
 
-def _state_value(record: StateRecord) -> State:
+def state_value(record: StateRecord) -> State:
+    """The state that *record* describes."""
     return State(record.id, _content_value(record.content), record.name, record.note)
 
 

@@ -8,7 +8,7 @@ from ..examples import Example
 from ..hierarchy import Hierarchy, Node
 from ..library import NodeType
 from ..project import Arm, Demonstration, LevelTable, Pick, Positions, Project
-from .convert import Document
+from .convert import Document, state_document, state_value
 from .schema import (
     ArmRecord,
     DemonstrationRecord,
@@ -95,6 +95,7 @@ def demonstration_document(demonstration: Demonstration) -> Document:
         "arguments": dict(demonstration.arguments),
         "others": demonstration.others,
         "note": demonstration.note,
+        "removed": [state_document(state) for state in demonstration.removed],
     }
 
 
@@ -112,6 +113,7 @@ def demonstration_value(record: DemonstrationRecord) -> Demonstration:
         record.arguments,
         record.others,
         record.note,
+        tuple(state_value(state) for state in record.removed),
     )
 
 

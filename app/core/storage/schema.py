@@ -324,6 +324,12 @@ class DemonstrationRecord(Record):
     arguments: dict[str, str] = {}
     others: Literal["idle", "run"] = "idle"
     note: str = ""
+    removed: list[StateRecord] = []
+
+    @model_validator(mode="after")
+    def _ids_are_unique(self) -> Self:
+        refuse(doubles("removed", [state.id for state in self.removed]))
+        return self
 
 
 # -------------------------------------------------------------------------------------------------------- project

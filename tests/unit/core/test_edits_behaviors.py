@@ -1,16 +1,18 @@
 """Edits of automata as wholes."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.core import edits
-from app.core.automaton import Basic, Nested, Settings
+from app.core.automaton import Basic, Nested, Settings, State
 from app.core.check import check
 from app.core.errors import EditError
 from app.core.features import Ground, Parameter, Sense
 from app.core.library import Library, NodeType
 from app.core.project import Arm, LevelTable, Project
 from app.core.vocabulary import BasicBehavior
-from tests.samples import AGENT, GROUP, SQUAD, automaton, project, state, vocabulary
+from tests.samples import AGENT, GROUP, SQUAD, automaton, nested, project, state, vocabulary
 
 
 def sound(changed: Project) -> bool:
@@ -170,6 +172,33 @@ def test_the_last_behavior_of_a_type_leaves_no_empty_library() -> None:
     assert GROUP not in changed.libraries
     assert changed.arm("two levels").top == "forage"
     assert sound(changed)
+
+
+def remembering(type_name: str, automaton_id: str, *removed: State) -> Project:
+    """The project with a demonstration that knows states of an automaton which are gone."""
+    before = project()
+    shown = replace(
+        before.demonstrations[0], type=type_name, automaton=automaton_id, arguments={}, removed=removed
+    )
+    return replace(before, demonstrations=(shown,))
+
+
+def remembered(changed: Project) -> list[object]:
+    return [removed.content for removed in changed.demonstrations[0].removed]
+
+
+def test_states_that_only_demonstrations_remember_follow_the_behaviors_that_they_hold() -> None:
+    gone = nested("there", "goto", {"target": Ground("deposit")})
+    renamed = edits.rename_parameter(remembering(AGENT, "forage", gone), AGENT, "goto", "target", "goal")
+    assert remembered(renamed) == [Nested("goto", {"goal": Ground("deposit")})]
+    ordered = state("there", "goto", {"target": Ground("deposit")})
+    renamed = edits.rename_automaton(remembering(GROUP, "control", ordered), AGENT, "goto", "Approach")
+    assert remembered(renamed) == [Basic("Approach", {"target": Ground("deposit")})]
+    replaced = edits.delete_automaton(remembering(AGENT, "forage", gone), AGENT, "goto", "wander")
+    assert remembered(replaced) == [Nested("wander", {})]
+    turned = state("turned", "Face", {"target": Parameter("target")})
+    renamed = edits.rename_parameter(remembering(AGENT, "goto", turned), AGENT, "goto", "target", "goal")
+    assert remembered(renamed) == [Basic("Face", {"target": Parameter("goal")})]
 
 
 # -------------------------------------------------------------------------------------------- parameters

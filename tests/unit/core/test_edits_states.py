@@ -97,6 +97,16 @@ def test_the_id_of_a_removed_state_is_not_given_out_while_examples_or_demonstrat
     )
 
 
+def test_demonstrations_remember_what_a_removed_state_was() -> None:
+    before = project()
+    left = before.library(AGENT).get("goto").state("left")
+    assert before.demonstrations[0].mentions("left")
+    changed = edits.remove_state(before, AGENT, "goto", "left")
+    assert changed.demonstrations[0].removed == (left,)
+    changed = edits.remove_state(changed, AGENT, "forage", "approach")
+    assert changed.demonstrations[0].removed == (left,)  # it taught another behavior
+
+
 def test_examples_of_a_removed_state_cannot_be_enabled() -> None:
     changed = edits.remove_state(project(), AGENT, "goto", "left")
     with pytest.raises(EditError, match="goto has no state 'left'"):

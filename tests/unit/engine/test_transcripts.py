@@ -4,12 +4,23 @@ from dataclasses import replace
 
 import pytest
 
-from app.core.automaton import Automaton
-from app.core.edits import delete_automaton, disable_examples, note_state, replace_examples, set_learned
+from app.core.automaton import Automaton, Basic
+from app.core.check import check as find_problems
+from app.core.edits import (
+    add_demonstration,
+    delete_automaton,
+    disable_examples,
+    note_state,
+    remove_state,
+    replace_examples,
+    set_learned,
+)
 from app.core.edits.arms import replace_arm
+from app.core.features import Ground
 from app.core.project import Demonstration, Project
+from app.engine import commands
 from app.engine.commands import AskMe, MoveEntity, Others, Pick
-from app.engine.demonstrations import play
+from app.engine.demonstrations import play, recreate
 from app.engine.transcript import Transcript
 from app.learner.trainer import apply, learn
 from tests.corridor import AT_END, corridor, project
@@ -17,6 +28,8 @@ from tests.driver import Driver
 from tests.samples import AGENT, automaton, state
 
 SHUTTLE = (AGENT, "Shuttle")
+#: No state of Shuttle holds it yet.
+TOWARD = Basic("Toward", {"target": Ground("lamp")})
 
 
 def lesson(nodes: str | tuple[str, ...] = "agent-1", **fields: object) -> Driver:
@@ -41,6 +54,14 @@ def check(driver: Driver, where: tuple[str, str] = SHUTTLE) -> None:
     again = played(driver, where)
     assert again.examples_of(*where) == driver.project.examples_of(*where)
     assert again.moments == driver.project.moments
+
+
+def problems(driver: Driver) -> list[str]:
+    """What is wrong with the project that keeps the demonstration."""
+    there = driver.project.demonstrations
+    project = driver.project if there else add_demonstration(driver.project, kept(driver))[0]
+    found = find_problems(project, corridor.vocabulary)
+    return [problem.message for problem in found if problem.file.startswith("demonstrations/")]
 
 
 def acts(driver: Driver) -> list[str]:
@@ -79,6 +100,49 @@ def test_a_pick_that_was_taken_back_or_replaced_leaves_the_same_examples() -> No
     driver = lesson().pick("up").advance(3).pick("down").advance(2).undo().advance(2)
     assert acts(driver) == ["0 teach agent-1", "0 pick agent-1 up"]  # what came after left nothing
     check(driver.pick("jump").pick("down").advance())
+
+
+def test_a_pick_that_no_tick_has_carried_out_leaves_no_trace() -> None:
+    driver = lesson().pick(TOWARD).pick("down").advance(3).pick(TOWARD).undo().pick("up").advance()
+    assert acts(driver)[1:] == ["0 pick agent-1 down", "3 pick agent-1 up"]
+    assert kept(driver).removed == ()
+    check(driver)
+
+
+def test_a_state_that_went_with_its_pick_is_there_again_while_that_is_played() -> None:
+    driver = lesson().pick(TOWARD).advance(3).undo().pick(TOWARD).advance(2).pick("down").advance()
+    assert acts(driver)[1:] == [
+        "0 pick agent-1 toward",
+        "3 undo",
+        "3 pick agent-1 toward",
+        "5 pick agent-1 down",
+    ]
+    check(driver)
+    driver = lesson().pick("up").advance().pick(TOWARD).advance(3).undo().pick("down").advance()
+    (gone,) = kept(driver).removed
+    assert (gone.id, gone.content) == ("toward", TOWARD)
+    assert problems(driver) == []
+    check(driver)
+
+
+def test_a_lesson_is_played_again_after_one_of_its_states_was_removed() -> None:
+    driver = lesson().pick("up").advance(5).pick(TOWARD).advance(3).pick("down").advance(2).run()
+    driver.edit(add_demonstration, kept(driver)).edit(remove_state, *SHUTTLE, "toward")
+    (demonstration,) = driver.project.demonstrations
+    assert [state.id for state in demonstration.removed] == ["toward"]
+    assert not all(example.enabled for example in driver.examples)
+    assert problems(driver) == []
+    again = recreate(driver.project, corridor)
+    assert again.examples_of(*SHUTTLE) == driver.examples
+    assert again.demonstrations == driver.project.demonstrations
+    assert not again.library(AGENT).get("Shuttle").has_state("toward")
+
+
+def test_what_was_picked_before_a_test_is_taken_back_before_it_is_learned_from() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").advance(2).pick("up").advance(2)
+    driver.send(commands.Test()).undo().advance().advance(9).pick("up", "agent-2").advance(2)
+    assert [word.split()[1] for word in acts(driver)][-3:] == ["undo", "test", "pick"]
+    check(driver)
 
 
 def test_when_all_is_taken_back_there_is_nothing_to_keep() -> None:

@@ -10,6 +10,7 @@ from threading import Thread
 
 import pytest
 
+from app.core.edits import remove_state
 from app.core.examples import Example
 from app.core.library import Library, NodeType
 from app.core.project import Project
@@ -66,6 +67,17 @@ def test_one_more_example_is_one_more_line(folder: Path, project: Project) -> No
     new = path.read_text().splitlines()
     assert len(new) == len(old) + 1
     assert '    {"id": "5", "label": "s2", "source": "s1", "values": {"f1": 1.0}}' in new
+
+
+def test_states_that_only_demonstrations_remember_are_kept_with_them(folder: Path, project: Project) -> None:
+    before = stamps(folder)
+    without_left = remove_state(project, AGENT, "mixed", "s1")
+    assert without_left.demonstrations[0].removed == (project.library(AGENT).get("mixed").state("s1"),)
+    save(without_left, folder, project)
+    assert load(folder).demonstrations == without_left.demonstrations
+    save(project, folder, without_left)
+    assert stamps(folder).keys() == before.keys()
+    assert load(folder).demonstrations == project.demonstrations
 
 
 def test_what_was_changed_by_hand_meanwhile_stays_where_the_project_did_not_change(
