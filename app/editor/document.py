@@ -12,6 +12,7 @@ from ..core.errors import UnderstudyError
 from ..core.history import Edit, History
 from ..core.library import Types
 from ..core.project import Project
+from ..core.remembered import Remembered
 from ..core.vocabulary import Vocabulary
 from ..sim.scenario import Scenario
 
@@ -48,7 +49,7 @@ class Document(QObject):
         self.read_only = False
         self.saving = False
         self.autosaved: datetime | None = None
-        self._types: tuple[Project, Types] | None = None
+        self._types: Remembered[str, Types] = Remembered()
 
     def begin(self, project: Project, scenario: Scenario, folder: Path | None, *, saved: bool = True) -> None:
         """Open another project.
@@ -60,7 +61,6 @@ class Document(QObject):
         if not saved:
             self._history.mark_unsaved()
         self.scenario, self.folder = scenario, folder
-        self._types = None
         self.read_only, self.autosaved = False, None
         self.revision += 1
         self.opened.emit()
@@ -86,10 +86,9 @@ class Document(QObject):
     @property
     def types(self) -> Types:
         """The node types with what they can use."""
-        project = self.project
-        if self._types is None or self._types[0] is not project:
-            self._types = project, project.types_with(self.scenario.vocabulary)
-        return self._types[1]
+        project, scenario = self.project, self.scenario
+        made_of = project.types, project.libraries, scenario
+        return self._types.of("", made_of, lambda: project.types_with(scenario.vocabulary))
 
     def vocabulary(self, type_name: str) -> Vocabulary:
         """What automata of a type are made from."""

@@ -151,10 +151,9 @@ def enable_examples(
     project: Project, type_name: str, automaton_id: str, example_ids: Collection[str]
 ) -> Project:
     """Learn from these examples again; refused for those of a state that was removed."""
-    automaton = find_automaton(project, type_name, automaton_id)
-    for example in project.examples_of(type_name, automaton_id):
-        if example.id in example_ids:
-            refuse_states(automaton, (example.source, example.label))
+    automaton, wanted = find_automaton(project, type_name, automaton_id), set(example_ids)
+    enabled = [e for e in project.examples_of(type_name, automaton_id) if e.id in wanted]
+    refuse_states(automaton, dict.fromkeys(state for e in enabled for state in (e.source, e.label)))
     return _change_examples(project, type_name, automaton_id, example_ids, lambda e: replace(e, enabled=True))
 
 

@@ -138,7 +138,8 @@ class Fits(QObject):
             for node_type in project.types
             for automaton_id in project.library(node_type.name).automata
         ]
-        self._known = {key: known for key, known in self._known.items() if key in set(keys)}
+        for gone in self._known.keys() - set(keys):
+            del self._known[gone]
         open_ones = tuple(
             key for key in keys if key not in self._known or not self._known[key].holds(project, key)
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import is_
 from typing import Any
 
 from PySide6.QtCore import QAbstractItemModel, QMimeData, QModelIndex, QPersistentModelIndex, QSize, Qt
@@ -76,7 +77,7 @@ class LibraryModel(QAbstractItemModel):
                 self.endRemoveRows()
         for at, group in enumerate(groups):
             self._place(at, group)
-            self._follow_rows(self._branches[at], list(group.rows))
+            self._follow_rows(self._branches[at], group.rows)
 
     def _place(self, at: int, group: Group) -> None:
         """Let the group stand at a place."""
@@ -93,7 +94,9 @@ class LibraryModel(QAbstractItemModel):
             self.endMoveRows()
         self._branches[at].group = group
 
-    def _follow_rows(self, branch: _Branch, rows: list[Row]) -> None:
+    def _follow_rows(self, branch: _Branch, rows: Sequence[Row]) -> None:
+        if len(rows) == len(branch.rows) and all(map(is_, rows, branch.rows)):
+            return
         parent, keys = self.index(self._branches.index(branch), 0), {row.key for row in rows}
         for at in reversed(range(len(branch.rows))):
             if branch.rows[at].key not in keys:

@@ -12,9 +12,10 @@ from ...core.edits.calls import meanings, root_types, starting
 from ...core.errors import UnderstudyError
 from ...core.examples import Example
 from ...core.hierarchy import Hierarchy
-from ...core.library import Library, Types, raised_flags
+from ...core.library import Library, NodeType, Types, raised_flags
 from ...core.naming import shown_state
 from ...core.project import Arm, Project
+from ...core.remembered import Remembered
 from ...core.vocabulary import BasicBehavior, Vocabulary
 
 
@@ -103,76 +104,58 @@ class Group:
         return f"{self.type} · {self.kind}".upper()
 
 
-@dataclass(frozen=True, slots=True)
-class _Own:
-    """What concerns an automaton alone, kept as long as it and its examples are the same values."""
-
-    automaton: Automaton
-    examples: tuple[Example, ...]
-    enabled: int
-    raises: tuple[str, ...]
-    kind: Kind
+Used = Mapping[RowKey, list[Use]]
 
 
 class Surveyor:
-    """Lists the behaviors of one project after another, working out again only what has changed."""
+    """Lists the behaviors of one project after another, working out again only what has changed.
+
+    Where examples were edited that is one row. Where an automaton was, all may be: it may use them.
+    """
 
     def __init__(self) -> None:
-        self._own: dict[RowKey, _Own] = {}
+        self._used: Remembered[str, Used] = Remembered()
+        self._ordered: Remembered[str, list[Automaton]] = Remembered()
+        self._rows: Remembered[RowKey, Row] = Remembered()
 
     def survey(self, project: Project, types: Types, arm: Arm | None) -> tuple[Group, ...]:
         """All groups, those of the arm's types first."""
-        own: dict[RowKey, _Own] = {}
-        used = _used_by(project)
-        groups: list[Group] = []
+        made_of = project.libraries, project.types, project.arms
+        used = self._used.of("", made_of, lambda: _used_by(project))
         present = types_in(arm, project)
         ordered = sorted(project.types, key=lambda t: (t.name not in present, project.types.index(t)))
-        for node_type in ordered:
-            name = node_type.name
-            rows = [
-                self._row(project, types, name, automaton, used, own)
-                for automaton in from_the_top(project.library(name))
-            ]
-            current = name in present
-            groups += [
-                Group(name, kind, tuple(row for row in rows if row.kind is kind), current)
-                for kind in (Kind.LEARNED, Kind.AUTHORED)
-            ]
-            kind = Kind.DERIVED if node_type.level else Kind.BASIC
-            basics = _vocabulary(types, name).behaviors.values()
-            groups.append(Group(name, kind, tuple(_basic(name, b, kind, used) for b in basics), current))
-        self._own = own
-        return tuple(group for group in groups if group.rows)
+        groups = [
+            group
+            for node_type in ordered
+            for group in self._of_type(project, types, node_type, used, current=node_type.name in present)
+            if group.rows
+        ]
+        self._rows.keep([row.key for group in groups for row in group.rows])
+        return tuple(groups)
+
+    def _of_type(
+        self, project: Project, types: Types, node_type: NodeType, used: Used, *, current: bool
+    ) -> Iterator[Group]:
+        name, library = node_type.name, project.library(node_type.name)
+        vocabulary = _vocabulary(types, name)
+        automata = self._ordered.of(name, (library,), lambda: from_the_top(library))
+        rows = [self._row(project, name, automaton, vocabulary, used) for automaton in automata]
+        for kind in (Kind.LEARNED, Kind.AUTHORED):
+            yield Group(name, kind, tuple(row for row in rows if row.kind is kind), current)
+        kind = Kind.DERIVED if node_type.level else Kind.BASIC
+        basics = [self._basic(name, basic, kind, used) for basic in vocabulary.behaviors.values()]
+        yield Group(name, kind, tuple(basics), current)
 
     def _row(
-        self,
-        project: Project,
-        types: Types,
-        type_name: str,
-        automaton: Automaton,
-        used: Mapping[RowKey, list[Use]],
-        own: dict[RowKey, _Own],
+        self, project: Project, type_name: str, automaton: Automaton, vocabulary: Vocabulary, used: Used
     ) -> Row:
-        key = RowKey(type_name, automaton.id)
-        examples = project.examples_of(type_name, automaton.id)
-        facts = self._own.get(key)
-        if facts is None or facts.automaton is not automaton or facts.examples is not examples:
-            enabled = sum(example.enabled for example in examples)
-            raises = raised_flags(automaton, _vocabulary(types, type_name))
-            facts = _Own(automaton, examples, enabled, raises, _kind(automaton, examples))
-        own[key] = facts
-        return Row(
-            key,
-            automaton.name,
-            facts.kind,
-            automaton.parameters,
-            facts.enabled,
-            len(examples) - facts.enabled,
-            raises=facts.raises,
-            used_by=tuple(used.get(key, ())),
-            uses=tuple(_uses(project, type_name, automaton)),
-            doc=automaton.note,
-        )
+        key, examples = RowKey(type_name, automaton.id), project.examples_of(type_name, automaton.id)
+        made_of = automaton, examples, vocabulary, used
+        return self._rows.of(key, made_of, lambda: _row(project, key, automaton, vocabulary, used))
+
+    def _basic(self, type_name: str, basic: BasicBehavior, kind: Kind, used: Used) -> Row:
+        key = RowKey(type_name, name=basic.name)
+        return self._rows.of(key, (basic, kind, used), lambda: _basic(key, basic, kind, used))
 
 
 def _vocabulary(types: Types, type_name: str) -> Vocabulary:
@@ -188,13 +171,35 @@ def _kind(automaton: Automaton, examples: Sequence[Example]) -> Kind:
     return Kind.AUTHORED if authored else Kind.LEARNED
 
 
-def _basic(type_name: str, basic: BasicBehavior, kind: Kind, used: Mapping[RowKey, list[Use]]) -> Row:
-    key = RowKey(type_name, name=basic.name)
+def _row(project: Project, key: RowKey, automaton: Automaton, vocabulary: Vocabulary, used: Used) -> Row:
+    examples = project.examples_of(key.type, key.id)
+    enabled = sum(example.enabled for example in examples)
+    return Row(
+        key,
+        automaton.name,
+        _kind(automaton, examples),
+        automaton.parameters,
+        enabled,
+        len(examples) - enabled,
+        raises=raised_flags(automaton, vocabulary),
+        used_by=tuple(used.get(key, ())),
+        uses=tuple(_uses(project, key.type, automaton)),
+        doc=automaton.note,
+    )
+
+
+def _basic(key: RowKey, basic: BasicBehavior, kind: Kind, used: Used) -> Row:
     raises = (basic.raises,) if basic.raises else ()
-    once = basic.runs_once
     users = tuple(used.get(key, ()))
     return Row(
-        key, basic.name, kind, basic.parameters, once=once, raises=raises, used_by=users, doc=basic.doc
+        key,
+        basic.name,
+        kind,
+        basic.parameters,
+        once=basic.runs_once,
+        raises=raises,
+        used_by=users,
+        doc=basic.doc,
     )
 
 
@@ -233,7 +238,7 @@ def from_the_top(library: Library) -> list[Automaton]:
 # ------------------------------------------------------------------------------------------- who uses whom
 
 
-def _used_by(project: Project) -> Mapping[RowKey, list[Use]]:
+def _used_by(project: Project) -> Used:
     """The users of every behavior: states, and arms that start with it."""
     found: dict[RowKey, list[Use]] = {}
     for node_type in project.types:

@@ -135,6 +135,21 @@ def test_stored_moments_are_not_looked_at() -> None:
 # --------------------------------------------------------------------------------------------- by hand
 
 
+class Ids(list[str]):
+    """Ids that nobody may look through for each example: of ten thousand, that takes most of a second."""
+
+    def __contains__(self, _id: object) -> bool:
+        raise AssertionError("looked through")
+
+
+def test_thousands_of_examples_are_changed_without_looking_through_the_list_for_each() -> None:
+    some = Ids(ids(project()))
+    changed = edits.disable_examples(project(), AGENT, "goto", some)
+    assert edits.enable_examples(changed, AGENT, "goto", some) == project()
+    edits.relabel_examples(project(), AGENT, "goto", some, "left")
+    edits.weight_examples(project(), AGENT, "goto", some, 2.0)
+
+
 def test_examples_are_disabled_and_enabled_again() -> None:
     changed = edits.disable_examples(project(), AGENT, "goto", ["1", "3"])
     assert [e.enabled for e in changed.examples_of(AGENT, "goto")] == [False, True, False, True, True]
