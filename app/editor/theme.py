@@ -173,6 +173,7 @@ QSplitter::handle:vertical {{ background: {colors.hairline}; height: 5px; margin
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {hover}; }}
 QComboBox QAbstractItemView, #completions {{ background: {colors.raised}; border: 1px solid {colors.hairline}; }}
+QComboBox {{ selection-background-color: {chosen}; selection-color: {colors.text}; }}
 QComboBoxPrivateContainer {{ border: none; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
 QComboBox::drop-down {{ border: none; width: 20px; }}

@@ -1,0 +1,42 @@
+"""Lists that boxes open can be read."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox
+from pytestqt.qtbot import QtBot
+
+from app.editor.behavior_colors import luminance
+from app.editor.studio import Studio
+from app.editor.theme import ThemeMode
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_the_row_that_is_chosen_in_an_open_list_can_be_read(
+    empty_studio: Studio, qtbot: QtBot, mode: ThemeMode
+) -> None:
+    empty_studio.theme.use(mode)
+    box = QComboBox()
+    qtbot.addWidget(box)
+    box.addItems(["alpha", "beta", "gamma"])
+    box.setCurrentIndex(1)
+    box.show()
+    qtbot.waitExposed(box)
+    QTest.keyClick(box, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    view = box.view()
+    qtbot.waitUntil(view.isVisible, timeout=PATIENCE)
+    row = view.visualRect(box.model().index(1, 0))
+    seen = view.viewport().grab(row.adjusted(4, 4, -4, -4)).toImage()  # without the frame
+    assert contrast_in(seen) >= 4.5
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+
+
+def contrast_in(image: QImage) -> float:
+    """Between the darkest and the brightest color of a picture."""
+    colors = {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
+    levels = [luminance(QColor(name)) for name in colors]
+    return (max(levels) + 0.05) / (min(levels) + 0.05)
