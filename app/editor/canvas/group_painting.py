@@ -19,23 +19,34 @@ from .groups import Forest, forest_of, hulls, nodes_at
 AROUND, MARK = 11.0, 5.0
 #: More hulls or links than this are drawn without smooth edges, and hulls without a fill.
 SMOOTH, SMOOTH_LINKS = 80, 600
+#: Of more controllers than this, only the highest levels are shown, and what is selected: more cover the world.
+MOST_SHOWN = 100
 
 
 def shown_hulls(frame: Frame) -> NDArray[np.int64]:
-    """Rows of the controllers whose hulls are shown, the highest level first: all, or those selected."""
+    """Rows of the controllers whose hulls are shown, the highest level first: those told apart, or those selected."""
     forest = forest_of(frame.scene.place)
+    chosen = _selected(frame, forest)
     if frame.options.hulls:
-        return np.arange(forest.controllers)
-    return _selected(frame, forest)
+        below = forest.child[np.isin(forest.parent, chosen) & (forest.child < forest.controllers)]
+        return np.unique(np.concatenate((_told_apart(forest), chosen, below)))
+    return chosen
 
 
 def shown_links(frame: Frame) -> NDArray[np.int64]:
-    """Places among the links of those that are shown: all, or those of selected controllers and all below."""
+    """Places among the links of those that are shown: from controllers told apart, and from those selected."""
     forest = forest_of(frame.scene.place)
+    above = _selected(frame, forest)
     if frame.options.links:
-        return np.arange(len(forest.parent))
-    chosen = np.isin(forest.parent, _selected(frame, forest))
-    return np.flatnonzero(chosen)
+        above = np.concatenate((_told_apart(forest), above))
+    return np.flatnonzero(np.isin(forest.parent, above))
+
+
+def _told_apart(forest: Forest) -> NDArray[np.int64]:
+    """Rows of all controllers, or where there are too many, of the highest level and as many levels more as can be."""
+    levels, counts = np.unique(-forest.level, return_counts=True)
+    fitting = max(1, int((np.cumsum(counts) <= MOST_SHOWN).sum()))
+    return np.flatnonzero(np.isin(-forest.level, levels[:fitting]))
 
 
 def _selected(frame: Frame, forest: Forest) -> NDArray[np.int64]:

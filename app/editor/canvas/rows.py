@@ -14,8 +14,18 @@ if TYPE_CHECKING:
 
 #: Name among the options, text, tip, keys.
 _SHOWN = (
-    ("hulls", "Group hulls", "Outline the agents of every controller", "Ctrl+Shift+H"),
-    ("links", "Controller links", "Draw lines from every controller to who is under it", "Ctrl+Shift+L"),
+    (
+        "hulls",
+        "Group hulls",
+        "Outline the agents of every controller; of hundreds, of the highest levels and of who is selected",
+        "Ctrl+Shift+H",
+    ),
+    (
+        "links",
+        "Controller links",
+        "Draw lines from every controller to who is under it; of hundreds, from the highest and the selected",
+        "Ctrl+Shift+L",
+    ),
     ("ranges", "Ranges of the selected", "Show how far the selected agents see and reach", ""),
     ("trails", "Trails of the selected", "Show where the selected agents have been", ""),
     ("all_trails", "Trails of all", "Show where all agents have been, if they are 500 or fewer", ""),

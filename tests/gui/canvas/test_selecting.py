@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QMenu
 
+from app.core.edits import set_hierarchy
+from app.core.project import LevelTable
 from app.editor.canvas.group_painting import hull_corners, link_ends, shown_hulls, shown_links
 from tests.gui.canvas.pilot import CONTROL, RIGHT, SHIFT, Pilot
 
@@ -113,3 +115,22 @@ def test_the_right_button_offers_what_can_be_done_with_an_agent(pilot: Pilot) ->
     menu.close()
     assert pilot.selected == [parent]
     assert "Fit the world" in texts
+
+
+def test_of_hundreds_of_controllers_the_highest_and_those_under_the_selected_are_outlined(
+    pilot: Pilot,
+) -> None:
+    sizes = LevelTable((6, 20, 2), ("squad", "group", "agent"))
+    pilot.studio.document.do(set_hierarchy, "two levels", sizes)
+    pilot.use_arm("two levels")
+    pilot.studio.actions["canvas.hulls"].trigger()
+    pilot.studio.actions["canvas.links"].trigger()
+    ids = pilot.snapshot.place.ids
+    assert [ids[row] for row in shown_hulls(pilot.frame)] == [f"squad-{k}" for k in range(1, 7)]
+    assert len(shown_links(pilot.frame)) == 6 * 20
+    pilot.studio.selection.select_nodes(("squad-2",))
+    shown = [ids[row] for row in shown_hulls(pilot.frame)]
+    assert shown[6:] == [f"group-{k}" for k in range(21, 41)]
+    pilot.studio.selection.select_nodes(("group-3",))
+    assert [ids[row] for row in shown_hulls(pilot.frame)][6:] == ["group-3"]
+    assert len(shown_links(pilot.frame)) == 6 * 20 + 2
