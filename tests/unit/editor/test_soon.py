@@ -21,7 +21,7 @@ def test_it_is_done_once_however_often_it_is_asked_for(soon: Soon, done: list[st
     for _ in range(3):
         soon.ask()
     assert (soon.is_due, done) == (True, [])
-    QCoreApplication.sendPostedEvents()
+    QCoreApplication.processEvents()
     assert (soon.is_due, done) == (False, ["it"])
 
 
@@ -34,14 +34,31 @@ def test_it_is_done_after_what_came_later_and_can_ask_for_it_too(soon: Soon, don
     sender.sent.connect(soon.ask, Qt.ConnectionType.QueuedConnection)
     soon.ask()
     sender.sent.emit()
-    QCoreApplication.sendPostedEvents()
+    QCoreApplication.processEvents()
+    assert done == ["other", "it"]
+
+
+def test_after_a_spell_of_it_what_has_come_meanwhile_is_dealt_with_first(
+    soon: Soon, done: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Sender(QObject):
+        sent = Signal()
+
+    monkeypatch.setattr("app.editor.soon.SPELL", 0.0)
+    sender = Sender()
+    sender.sent.connect(lambda: done.append("other"), Qt.ConnectionType.QueuedConnection)
+    first = Soon(soon, sender.sent.emit)
+    first.ask()
+    soon.ask()
+    while soon.is_due:
+        QCoreApplication.processEvents()
     assert done == ["other", "it"]
 
 
 def test_what_is_needed_now_is_done_now_and_not_again(soon: Soon, done: list[str]) -> None:
     soon.ask()
     catch_up()
-    QCoreApplication.sendPostedEvents()
+    QCoreApplication.processEvents()
     assert done == ["it"]
 
 
