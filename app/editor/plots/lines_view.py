@@ -36,7 +36,7 @@ class LinesView(QWidget):
 
     Attributes:
         curves: Those that are drawn, by key.
-        legend: What the lines are; beside the plot rather than in it, where it would hide them.
+        legend: What the lines are; above the plot rather than in it, where it would hide them.
     """
 
     def __init__(self, theme: Theme) -> None:
@@ -49,6 +49,7 @@ class LinesView(QWidget):
         self.legend.setProperty("role", "caption")
         self.legend.setTextFormat(Qt.TextFormat.RichText)
         self.legend.setAccessibleName("legend")
+        self.legend.setContentsMargins(10, 0, 8, 2)
         self.legend.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

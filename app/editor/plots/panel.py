@@ -81,7 +81,7 @@ class PlotsPanel(QWidget):
         self.clear_button.setToolTip("Forget the curves so far; the world goes on")
         self.clear_button.clicked.connect(self.clear)
         bar.addWidget(self.clear_button)
-        self._bar = bar
+        bar.addStretch(1)
         column = QVBoxLayout(full)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -189,7 +189,7 @@ class PlotsPanel(QWidget):
             from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
 
             self.view = LinesView(self._studio.theme)
-            self._bar.addWidget(self.view.legend, 1)
+            self._room.addWidget(self.view.legend)  # in a row of its own: beside the boxes it would be cut off
             self._room.addWidget(self.view, 1)
         return self.view
 

@@ -79,3 +79,10 @@ def test_before_time_has_passed_the_panel_says_what_to_do(window: MainWindow) ->
     panel = window.docks["plots"].widget()
     assert isinstance(panel, PlotsPanel)
     assert panel._pages.currentIndex() == 0
+
+
+def test_the_legend_has_room_in_a_narrow_panel(panel: PlotsPanel) -> None:
+    panel.resize(600, 200)  # as in a small window
+    panel.grab()  # lays it out
+    assert panel.view is not None
+    assert panel.view.legend.width() >= panel.view.legend.sizeHint().width()
