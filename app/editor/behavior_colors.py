@@ -1,7 +1,8 @@
 """One color per behavior, the same everywhere: Okabe-Ito first, then a set that keeps its distance."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cache
+from itertools import count
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QColor
@@ -11,6 +12,8 @@ from .palette import BASIC, OKABE_ITO
 
 #: Type name and automaton id; a basic behavior has no id.
 Key = tuple[str, str]
+#: By name, which place a behavior has in the row of colors.
+Places = Mapping[str, int]
 
 #: Hues apart by the golden angle fill the circle evenly, however many there are.
 _GOLDEN = 0.618033988749895
@@ -32,24 +35,34 @@ class BehaviorColors(QObject):
     def __init__(self) -> None:
         super().__init__()
         self._by_name: dict[str, int] = {}
+        self._before: dict[str, int] = {}  # of those that are gone, and may come back by undoing
         self._names: dict[Key, str] = {}
+
+    def begin(self, project: Project, places: Places) -> None:
+        """Another project is open, whose behaviors had these *places* when it was saved."""
+        self._by_name, self._names = {}, {}
+        self._before = dict(places)
+        self.use(project)
 
     def use(self, project: Project) -> None:
         """Give every automaton of *project* a color."""
         names = dict(_names(project))
         if names == self._names:
             return
-        renamed = {self._names[key]: new for key, new in names.items() if key in self._names}
-        for old, new in renamed.items():
-            if new not in self._by_name and old not in names.values():
-                self._by_name[new] = self._by_name[old]
-        self._names = names
-        kept = {name: place for name, place in self._by_name.items() if name in set(names.values())}
-        for name in dict.fromkeys(names.values()):
-            if name not in kept:
-                kept[name] = _free(kept)
-        self._by_name = kept
+        there = set(names.values())
+        known = self._before | self._by_name
+        for key, new in names.items():
+            old = self._names.get(key, new)
+            if old not in there and old in self._by_name and new not in self._by_name:
+                known[new] = self._by_name[old]  # it was renamed
+        self._names, self._before = names, known
+        self._by_name = _placed(there, names.values(), known)
         self.changed.emit()
+
+    @property
+    def places(self) -> Places:
+        """Which color each behavior has, by its name, for `begin`."""
+        return dict(self._by_name)
 
     @property
     def count(self) -> int:
@@ -98,12 +111,28 @@ def luminance(color: QColor) -> float:
 
 
 def _names(project: Project) -> Iterator[tuple[Key, str]]:
+    """All automata in an order that does not depend on when they were added."""
     for node_type in project.types:
-        for automaton in project.library(node_type.name).automata.values():
-            yield (node_type.name, automaton.id), automaton.name
+        for automaton_id, automaton in sorted(project.library(node_type.name).automata.items()):
+            yield (node_type.name, automaton_id), automaton.name
 
 
-def _free(taken: Mapping[str, int]) -> int:
-    """The first place that nobody has."""
-    used = set(taken.values())
-    return next(place for place in range(len(used) + 1) if place not in used)
+def first_places(project: Project) -> Places:
+    """What the behaviors of a project get of which nothing is known: the first by their ids get the first colors."""
+    names = dict(_names(project)).values()
+    return _placed(set(names), names, {})
+
+
+def _placed(there: Collection[str], names: Iterable[str], known: Places) -> dict[str, int]:
+    """The known places of those who are there, and free ones for the others, and for those whose place is taken."""
+    places: dict[str, int] = {}
+    taken: set[int] = set()
+    for name, place in known.items():
+        if name in there and place not in taken:
+            places[name] = place
+            taken.add(place)
+    free = (place for place in count() if place not in taken)
+    for name in dict.fromkeys(names):
+        if name not in places:
+            places[name] = next(free)
+    return places

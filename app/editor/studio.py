@@ -15,7 +15,7 @@ from ..engine.scenarios import open_scenario
 from ..engine.snapshots import Mode, Refused, Snapshot
 from ..sim.scenario import Scenario
 from .actions import Actions
-from .behavior_colors import BehaviorColors
+from .behavior_colors import BehaviorColors, Places
 from .bridge import Bridge, MoveMark
 from .document import Document
 from .relearning import Relearning
@@ -136,11 +136,16 @@ class Studio(QObject):
         *,
         saved: bool = True,
         arm: str = "",
+        colors: Places | None = None,
     ) -> None:
-        """Open a project, and begin its first arm, or *arm*, paused."""
+        """Open a project, and begin its first arm, or *arm*, paused.
+
+        Args:
+            colors: Of its behaviors, as they were when it was saved.
+        """
         self.bridge.close()
         self.document.begin(project, scenario, folder, saved=saved)
-        self.colors.use(project)
+        self.colors.begin(project, colors or {})
         self.selection.select_nodes(())
         self.selection.select_behavior(_first_behavior(project))
         self.is_open = True

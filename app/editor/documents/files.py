@@ -19,7 +19,7 @@ from ...engine.scenarios import open_scenario
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..studio import Kind, Message
-from . import autosaves, claims
+from . import autosaves, claims, colors
 from .asking import Answer, Question
 from .autosaves import Autosave
 from .autosaving import Autosaving
@@ -149,7 +149,8 @@ class Files(QObject):
         self._release(held.private)
         self.held = held
         self._told = ()
-        self.studio.open(project, scenario, held.folder, saved=saved, arm=arm)
+        places = {} if held.folder is None else colors.read(private_folder(held.folder, self.state))
+        self.studio.open(project, scenario, held.folder, saved=saved, arm=arm, colors=places)
         self.studio.document.read_only = held.read_only
         self.studio.document.history_changed.emit()
         if recovered is not None and held.private is not None:

@@ -12,6 +12,8 @@ from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...core.storage import FilesError, save
 from ...engine.scenarios import OWN_CODE
+from ..behavior_colors import Places
+from . import colors
 from .asking import Answer
 from .held import Held, Then
 from .outside import Stamps, changes, stamps_of
@@ -39,8 +41,12 @@ class ChangedOutside:
     files: tuple[str, ...]
 
 
-def store(project: Project, folder: Path, held: Held, state: Path) -> Stored | ChangedOutside:
-    """Make *folder* hold *project*, unless somebody else changed files that *held* knows."""
+def store(project: Project, folder: Path, held: Held, state: Path, places: Places) -> Stored | ChangedOutside:
+    """Make *folder* hold *project*, unless somebody else changed files that *held* knows.
+
+    Args:
+        places: The colors of its behaviors.
+    """
     same = held.folder == folder
     if same and held.stamps is not None:
         found = changes(held.stamps, stamps_of(folder, held.stamps))
@@ -49,7 +55,9 @@ def store(project: Project, folder: Path, held: Held, state: Path) -> Stored | C
     save(project, folder, held.base if same else None)
     if held.folder is not None and not same:
         bring_along(held.folder, folder)
-    return Stored(stamps_of(folder), private_folder(folder, state))
+    private = private_folder(folder, state)
+    colors.keep(private, project, places)
+    return Stored(stamps_of(folder), private)
 
 
 def bring_along(old: Path, new: Path) -> None:
@@ -90,7 +98,7 @@ class Saving:
         files, project = self._files, self._files.studio.document.project
         self._running(on=True)
         files.background.do(
-            partial(store, project, folder, files.held, files.state),
+            partial(store, project, folder, files.held, files.state, files.studio.colors.places),
             partial(self._stored, project, folder, then),
             partial(self._failed, folder, then),
         )

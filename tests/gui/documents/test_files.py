@@ -14,10 +14,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import note_project
+from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.core.storage import FilesError, Problem, load, save
-from app.editor.documents import autosaves, claims
+from app.editor.documents import autosaves, claims, opening, private
 from app.editor.documents.asking import Question
 from app.editor.documents.claims import Owner
 from app.editor.documents.new_project import NewProject
@@ -28,6 +28,7 @@ from app.editor.studio import Studio
 from app.editor.theme import Theme
 from app.editor.window.main_window import MainWindow
 from app.engine.fresh import fresh_project
+from app.engine.shipped import shipped_projects
 from app.sim.scenarios import shipped
 from tests.gui.conftest import FORAGING, PATIENCE
 
@@ -54,8 +55,8 @@ def desk(qapp: QApplication, qtbot: QtBot, settings: Settings, tmp_path: Path) -
     window = MainWindow(studio)
     qtbot.addWidget(window)
     window.resize(1280, 800)
-    window.show()
-    qtbot.waitExposed(window)
+    with qtbot.waitExposed(window):
+        window.show()
     yield window
     window.files.shut_down()
     window.hide()
@@ -68,10 +69,13 @@ def opened(desk: MainWindow, qtbot: QtBot, folder: Path) -> None:
 
 
 def question(desk: MainWindow, qtbot: QtBot) -> Question:
-    qtbot.waitUntil(lambda: desk.findChild(Question) is not None, timeout=PATIENCE)
-    found = desk.findChild(Question)
-    assert isinstance(found, Question)
-    return found
+    """The one that is asked now; one that was answered may not be gone yet."""
+
+    def asked() -> list[Question]:
+        return [found for found in desk.findChildren(Question) if found.isVisible()]
+
+    qtbot.waitUntil(lambda: len(asked()) == 1, timeout=PATIENCE)
+    return asked()[0]
 
 
 def answer(desk: MainWindow, qtbot: QtBot, text: str) -> None:
@@ -195,6 +199,22 @@ def test_a_damaged_project_is_told_with_file_place_and_what_is_allowed(
     assert not (folder / NAME).exists()
 
 
+def test_a_behavior_has_the_same_color_when_its_project_is_opened_again(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    opened(desk, qtbot, folder)
+    studio = desk.studio
+    for name in ("Wander", "Approach"):  # the later one comes first in the folder
+        studio.document.do(add_automaton, "agent", name)
+    before = {name: studio.colors.of_name(name).name() for name in ("Wander", "Approach")}
+    press(desk, qtbot, "file.save", Qt.Key.Key_S)
+    qtbot.waitUntil(lambda: not desk.isWindowModified(), timeout=PATIENCE)
+    idle(desk, qtbot)
+    with qtbot.waitSignal(studio.opened, timeout=PATIENCE):
+        desk.files.reload()
+    assert {name: studio.colors.of_name(name).name() for name in before} == before
+
+
 def test_two_windows_on_one_project_are_noticed_and_the_second_may_look_only(
     desk: MainWindow, qtbot: QtBot, folder: Path
 ) -> None:
@@ -202,6 +222,7 @@ def test_two_windows_on_one_project_are_noticed_and_the_second_may_look_only(
     assert claims.claim(folder / NAME, other) is None
     desk.files.open(folder)
     assert f"process {os.getpid()}" in question(desk, qtbot).text
+    assert not desk.busy.isVisible()  # it waits for the user, not the user for it
     answer(desk, qtbot, "Open read-only")
     qtbot.waitUntil(lambda: desk.studio.is_open, timeout=PATIENCE)
     assert "(read-only)" in desk.windowTitle()
@@ -284,6 +305,41 @@ def test_a_save_that_fails_says_why_and_loses_nothing(
     assert claims.holder_of(folder / NAME) is None
 
 
+def test_a_folder_that_nothing_can_be_written_to_is_told_at_once(
+    desk: MainWindow, qtbot: QtBot, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(private, "writable", lambda _folder: False)
+    monkeypatch.setattr(opening, "writable", lambda _folder: False)
+    with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE) as shown:
+        desk.files.open(folder)
+    assert shown.args is not None
+    assert f"{folder} cannot be written to" in shown.args[0]
+    button = next(b for b in desk.messages.findChildren(QPushButton) if b.text() == "Save elsewhere…")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert desk.findChild(SaveAs) is not None
+
+
+def test_a_message_stays_in_sight_when_a_project_takes_the_place_of_the_welcome_page(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    desk.studio.warn("something to answer", (("Later", lambda: None),))
+    opened(desk, qtbot, folder)
+    bar = desk.messages
+    assert bar.isVisible()
+    found = QApplication.widgetAt(bar.mapToGlobal(bar.words.geometry().center()))
+    assert found is not None
+    assert found is bar or bar.isAncestorOf(found)
+
+
+def test_pictures_of_projects_are_there_when_the_welcome_page_comes_back(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    opened(desk, qtbot, folder)  # before any picture is drawn
+    desk.files.close()
+    qtbot.waitUntil(desk.welcome.isVisible, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: set(desk.welcome.previews) == set(shipped_projects()), timeout=PATIENCE)
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
 def test_a_folder_without_write_permission_is_opened_and_told_when_saving(
     desk: MainWindow, qtbot: QtBot, folder: Path
@@ -356,7 +412,7 @@ CRASHING = """
 import os, sys
 from pathlib import Path
 from PySide6.QtWidgets import QApplication
-from app.core.edits import note_project
+from app.core.edits import add_automaton, note_project
 from app.editor.application import make_window
 from app.editor.settings import Settings
 
