@@ -153,7 +153,12 @@ def _details(text: str, *, wrapped: bool) -> QPlainTextEdit:
     modes = QPlainTextEdit.LineWrapMode
     shown.setLineWrapMode(modes.WidgetWidth if wrapped else modes.NoWrap)
     shown.setProperty("role", "details")
-    lines = text.count("\n") + 2
-    shown.setMinimumHeight(min(DETAIL_HEIGHT, 24 + lines * shown.fontMetrics().lineSpacing()))
+    metrics = shown.fontMetrics()
+    each = max(1, (WIDTH - 60) // metrics.averageCharWidth()) if wrapped else len(text) + 1
+    lines = sum(1 + len(line) // each for line in text.split("\n")) + 1
+    height = 24 + lines * metrics.lineSpacing()
+    shown.setMinimumHeight(min(DETAIL_HEIGHT, height))
+    if height < DETAIL_HEIGHT:
+        shown.setMaximumHeight(height)
     shown.setAccessibleName("Details")
     return shown

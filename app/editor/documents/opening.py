@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -20,7 +21,7 @@ from .autosaves import Autosave
 from .claims import Owner
 from .held import Held
 from .outside import Stamps, stamps_of
-from .private import private_folder, unnamed_folder
+from .private import private_folder, unnamed_folder, writable
 from .words import clock, whose
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ class Found:
         other: Who has it open already.
         kept: What a window that is gone had saved by itself.
         code: The text of the scenario that the project brings; empty if it brings none.
+        writable: Whether anything can be saved there.
     """
 
     project: Project | None
@@ -64,6 +66,7 @@ class Found:
     claimed: bool
     kept: Autosave | None
     code: str
+    writable: bool
 
 
 def look(folder: Path, state: Path, owner: Owner) -> Found:
@@ -84,7 +87,9 @@ def look(folder: Path, state: Path, owner: Owner) -> Found:
     kept = autosaves.find(private)
     if kept is not None and (not kept.is_left_over or kept.owner.token == owner.token):
         kept = None
-    return Found(project, error, private, stamps, other, claimed, kept, _code(project, folder))
+    return Found(
+        project, error, private, stamps, other, claimed, kept, _code(project, folder), writable(folder)
+    )
 
 
 def _code(project: Project | None, folder: Path) -> str:
@@ -150,9 +155,22 @@ class Opening:
             told += f" What was autosaved at {clock(found.kept.at)} can be opened instead."
         self._files.ask("This project cannot be opened", told, answers, listed, "alert-circle-outline")
 
+    def _ask(
+        self,
+        title: str,
+        text: str,
+        answers: Sequence[Answer],
+        details: str = "",
+        look: str = "help-circle-outline",
+        standard: int = 0,
+    ) -> None:
+        """Ask the user, who has to wait for nothing meanwhile."""
+        self._files.waiting.emit("")
+        self._files.ask(title, text, answers, details, look, standard)
+
     def _ask_shared(self, wish: Wish, found: Found, other: Owner) -> None:
         goes_on = partial(replace, wish, shared=True)
-        self._files.ask(
+        self._ask(
             "Another window has this project open",
             f"{wish.folder} is open {whose(other)}. If both save, each finds what the other changed and asks which "
             "of the two is to stay.",
@@ -168,7 +186,7 @@ class Opening:
         )
 
     def _ask_trust(self, wish: Wish, found: Found) -> None:
-        self._files.ask(
+        self._ask(
             "This project carries code",
             f"Opening it runs {wish.folder / OWN_CODE}, which can do whatever you can do on this machine. Read it, and "
             "open the project only if you trust whoever wrote it.",
@@ -188,7 +206,7 @@ class Opening:
             autosaves.discard(kept.private)
             self._found(wish, replace(found, kept=None))
 
-        self._files.ask(
+        self._ask(
             "Understudy ended without saving this project",
             f"What was autosaved at {clock(kept.at)} can be recovered. It becomes a step that can be undone, which gives "
             "back the project as it was saved.",
@@ -226,6 +244,11 @@ class Opening:
         )
         files.show(held, found.project, scenario, recovered=recovered, arm=wish.arm)
         files.waiting.emit("")
+        if not found.writable:
+            files.studio.warn(
+                f"{folder} cannot be written to: what is to be kept goes into another folder",
+                (("Save elsewhere…", files.save_as),),
+            )
 
     def _unsound(self, wish: Wish, found: Found, error: UnderstudyError) -> None:
         self._give_up(found)

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QIcon, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -41,6 +41,7 @@ class WelcomePage(QScrollArea):
 
     Attributes:
         shipped: Buttons of the projects that ship, by folder.
+        previews: What pictures show, by folder; they come one after the other.
         recent: Buttons of recent projects, by folder.
         removers: Buttons that take a recent project out of the list, by folder.
 
@@ -54,8 +55,8 @@ class WelcomePage(QScrollArea):
         super().__init__()
         self._studio = studio
         self._background = Background(self)
-        self._previews: dict[Path, Preview] = {}
-        self._asked = False
+        self.previews: dict[Path, Preview] = {}
+        self._asked: set[Path] = set()
         self.shipped: dict[Path, QToolButton] = {}
         self.recent: dict[Path, QPushButton] = {}
         self.removers: dict[Path, QToolButton] = {}
@@ -68,23 +69,30 @@ class WelcomePage(QScrollArea):
         """Show what is there now; pictures come when they are drawn."""
         super().showEvent(event)
         self.fill()
-        if not self._asked:
-            self._asked = True
-            for folder in shipped_projects():
-                self._background.do(partial(preview, folder), self._drawn, self._undrawn)
+        QTimer.singleShot(
+            0, self, self._ask
+        )  # not for a page that gives way at once to a project that is being opened
 
     def hideEvent(self, event: object) -> None:
-        """Wait for no more pictures."""
+        """Wait for no more pictures; those that are missing are asked for again when the page is back."""
         self._background.close()
+        self._asked = set(self.previews)
         super().hideEvent(event)  # type: ignore[arg-type]
+
+    def _ask(self) -> None:
+        for folder in shipped_projects():
+            if self.isVisible() and folder not in self._asked:
+                self._asked.add(folder)
+                self._background.do(partial(preview, folder), self._drawn, self._undrawn)
 
     def _setting_changed(self, name: str) -> None:
         if name == "recent":
             self.fill()
 
     def _drawn(self, found: Preview) -> None:
-        self._previews[found.folder] = found
-        self.fill()
+        self.previews[found.folder] = found
+        if found.folder in self.shipped:
+            self._dress(found.folder)
 
     def _undrawn(self, error: UnderstudyError) -> None:
         self._studio.warn(str(error))
@@ -164,24 +172,27 @@ class WelcomePage(QScrollArea):
         return row
 
     def _card(self, folder: Path) -> QToolButton:
-        found = self._previews.get(folder)
-        button = QToolButton()
+        button = self.shipped[folder] = QToolButton()
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-        button.setText(found.name if found else folder.name)
-        button.setToolTip(f"{found.note}\n{folder}" if found and found.note else str(folder))
-        button.setAccessibleName(f"Open {button.text()}")
         button.setIconSize(PICTURE)
         button.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         button.setFixedSize(PICTURE.width() + 20, PICTURE.height() + 44)
+        button.clicked.connect(lambda: self.chosen.emit(folder))
+        self._dress(folder)
+        return button
+
+    def _dress(self, folder: Path) -> None:
+        """Show on a card what is known of its project by now; the card itself stays under the mouse."""
+        button, found = self.shipped[folder], self.previews.get(folder)
+        button.setText(found.name if found else folder.name)
+        button.setToolTip(f"{found.note}\n{folder}" if found and found.note else str(folder))
+        button.setAccessibleName(f"Open {button.text()}")
         if found is not None and found.view is not None:
             colors, ratio = self._studio.theme.palette, self.devicePixelRatioF()
             drawn = thumbnail(found.view, colors, PICTURE.width(), PICTURE.height(), ratio)
             button.setIcon(QIcon(drawn))
         else:
             button.setIcon(icon("image-outline", self._studio.theme, "hairline"))
-        button.clicked.connect(lambda: self.chosen.emit(folder))
-        self.shipped[folder] = button
-        return button
 
     def _recent(self, folder: Path) -> QHBoxLayout:
         there = (folder / "project.json").exists()

@@ -128,6 +128,7 @@ class MainWindow(QMainWindow):
         self.destroyed.connect(studio.actions.clear)
         studio.world_wanted.connect(self.come_to_front)
         self.files.waiting.connect(self._waiting)
+        self._pages.currentChanged.connect(self._lift)
 
     # ----------------------------------------------------------------------------------------- docks, menus
 
@@ -242,6 +243,11 @@ class MainWindow(QMainWindow):
         self._pages.setCurrentWidget(self.busy if text else standard)
         if text:
             self.busy.cancel.setFocus()
+
+    def _lift(self) -> None:
+        """What lies on the pages stays above the one that is shown now."""
+        for above in (self.guide, self.messages):
+            above.raise_()
 
     def _opened(self) -> None:
         is_open = self.studio.is_open
