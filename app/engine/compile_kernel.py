@@ -11,14 +11,14 @@ from threading import Thread
 
 from ..core.errors import UnderstudyError
 from ..sim.physics import in_physics
+from .children import step_back
 from .scenarios import found_again
 
 
 def main(name: str, module: str, path: str, physics: str, folder: str) -> None:
     """Compile; what numba refuses leaves the reason in the folder instead of a kernel."""
     Thread(target=_watch_parent, args=(folder,), daemon=True).start()
-    if hasattr(os, "nice"):
-        os.nice(5)  # the window comes first
+    step_back()
     from ..sim.kernel import ahead  # noqa: PLC0415 - the watch is to be on while numba is imported
 
     try:

@@ -4,9 +4,7 @@ numba holds the interpreter for some ten seconds while it compiles. So a session
 goes on with the compiled one as soon as there is a kernel, with the same results tick by tick.
 """
 
-import os
 import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +18,7 @@ from ..sim.engine import Engine, Start
 from ..sim.engines import AUTO, REFERENCE, refuse_uncompilable
 from ..sim.reference import ReferenceEngine
 from ..sim.scenario import Scenario
+from .children import environment, python
 from .runs import Treatment, start_engine
 from .scenarios import whereabouts
 
@@ -138,7 +137,7 @@ class _Compilation:
         where = whereabouts(self._start.scenario)
         room = Path(mkdtemp(dir=folder, prefix="compiling-"))
         try:
-            self._run([sys.executable, "-m", _CHILD, *where, self._start.physics, str(room)])
+            self._run(python(_CHILD, *where, self._start.physics, str(room)))
             if not self._stop:
                 ahead.move(room, folder)
                 if not ahead.is_kept(self._start.scenario, folder):
@@ -163,10 +162,7 @@ class _Compilation:
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.PIPE,
                 text=True,
-                env={
-                    **os.environ,
-                    "PYTHONPATH": os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path),
-                },
+                env=environment(),
             )
         assert process.stdin is not None
         assert process.stderr is not None

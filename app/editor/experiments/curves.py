@@ -35,7 +35,7 @@ class CurvesView(QWidget):
         self._theme = theme
         self.plot = quiet_plot("curves")
         self._legend = self.plot.addLegend(offset=(10, 8), labelTextSize="9pt")
-        self._items: list[tuple[Any, Any, Any]] = []  # line, lower edge, upper edge
+        self._items: list[tuple[Any, Any]] = []  # line and band
         self.names: list[str] = []
         empty = QLabel(EMPTY)
         empty.setProperty("role", "empty")
@@ -60,7 +60,8 @@ class CurvesView(QWidget):
         row = found.curves.index(measure)
         for summary, items in zip(drawn, self._items, strict=True):
             _draw(summary, row, found.experiment.ticks, items)
-        self.plot.getAxis("left").setLabel(measure)
+        if self.plot.getAxis("left").labelText != measure:
+            self.plot.getAxis("left").setLabel(measure)
 
     def _begin(self, names: list[str]) -> None:
         self.plot.clear()
@@ -68,28 +69,29 @@ class CurvesView(QWidget):
         self.names = names
         self._items = [self._line(number, name) for number, name in enumerate(names)]
 
-    def _line(self, number: int, name: str) -> tuple[Any, Any, Any]:
+    def _line(self, number: int, name: str) -> tuple[Any, Any]:
         lines = self._theme.palette.lines
         color = QColor(lines[number % len(lines)])
-        band = QColor(color)
-        band.setAlpha(BAND_ALPHA)
-        edge = pg.mkPen(None)
-        low, high = self.plot.plot(pen=edge), self.plot.plot(pen=edge)
-        self.plot.addItem(pg.FillBetweenItem(low, high, brush=pg.mkBrush(band)))
-        pen = pg.mkPen(color, width=2, style=DASHES[(number // len(lines)) % len(DASHES)])
-        return self.plot.plot(pen=pen, name=name), low, high
+        shade = QColor(color)
+        shade.setAlpha(BAND_ALPHA)
+        style = DASHES[(number // len(lines)) % len(DASHES)]
+        band = pg.PlotCurveItem(pen=None, brush=pg.mkBrush(shade), fillLevel="enclosed")
+        line = pg.PlotCurveItem(pen=pg.mkPen(color, width=2, style=style), name=name)
+        self.plot.addItem(band)
+        self.plot.addItem(line, ignoreBounds=True)  # it is within its band
+        return line, band
 
     def _dress(self) -> None:
         dress(self.plot, self._theme)
         self.names = []  # lines take their colors anew when they are drawn next
 
 
-def _draw(summary: Summary, row: int, ticks: int, items: tuple[Any, Any, Any]) -> None:
-    mean, half = summary.curve[row], summary.band[row]
+def _draw(summary: Summary, row: int, ticks: int, items: tuple[Any, Any]) -> None:
+    mean = summary.curve[row]
     x = np.linspace(0.0, ticks, len(mean))
-    line, low, high = items
+    line, band = items
     line.setData(x, mean)
     # A single run has no band: its half width is not a number.
-    half = np.nan_to_num(half)
-    low.setData(x, mean - half)
-    high.setData(x, mean + half)
+    half = np.nan_to_num(summary.band[row])
+    around = np.concatenate((x, x[::-1]))  # along the lower edge and back along the upper one
+    band.setData(around, np.concatenate((mean - half, (mean + half)[::-1])))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ...engine.experiments.laboratory import Laboratory, Look, Stage
+from ...engine.experiments.laboratory import Look, Stage
+from ...engine.experiments.process import LaboratoryProcess
 from .study import Study
 
 #: Milliseconds between two looks.
@@ -26,7 +27,7 @@ class Running(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.study: Study | None = None
-        self._laboratory: Laboratory | None = None
+        self._laboratory: LaboratoryProcess | None = None
         self._look: Look | None = None
         self._timer = QTimer(self, interval=GLANCE)
         self._timer.timeout.connect(self._glance)
@@ -45,7 +46,9 @@ class Running(QObject):
         """Begin, or go on where the results end."""
         self.close()
         self.study = study
-        self._laboratory = Laboratory(study.project, study.scenario, study.experiment, study.path, jobs)
+        self._laboratory = LaboratoryProcess(
+            study.project, study.scenario, study.experiment, study.path, jobs
+        )
         self._look = self._laboratory.newest
         self._timer.start()
         self.changed.emit()
@@ -63,7 +66,7 @@ class Running(QObject):
             self._laboratory.cancel()
 
     def close(self) -> None:
-        """Stop, and wait until all threads have ended."""
+        """Stop at once; what is finished is kept."""
         self._timer.stop()
         if self._laboratory is not None:
             self._laboratory.close()

@@ -2,11 +2,12 @@
 
 import hashlib
 import json
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 from ...core.project import Arm, Project
 from ...core.storage.convert import automaton_document
+from ...core.vocabulary import Phrases
 from ...learner.trainer import LEARNER_VERSION, fingerprint
 from ...sim.kernel.linking import fingerprint as of_functions
 from ...sim.kernel.source import scenario_functions
@@ -35,8 +36,20 @@ def fingerprint_of(project: Project, scenario: Scenario, experiment: Experiment)
         "behaviors": _hash(_distinct(_behaviors(project, scenario, cell) for cell in cells)),
         "worlds": _hash([_world(project, scenario, cell) for cell in cells]),
         "examples": _hash(_distinct(_lessons(project, scenario, cell) for cell in learned)),
-        "scenario": of_functions(scenario_functions(scenario))[:16],
+        "scenario": fingerprint_of_scenario(scenario),
     }
+
+
+def fingerprint_of_scenario(scenario: Scenario) -> str:
+    """A hash of what a scenario does and declares, words for readers left out."""
+    vocabulary = scenario.vocabulary
+    declared = [
+        *(replace(feature, phrases=Phrases(), doc="") for feature in vocabulary.features.values()),
+        *(replace(behavior, doc="") for behavior in vocabulary.behaviors.values()),
+        *(replace(target, doc="") for target in vocabulary.targets.values()),
+    ]
+    functions = {**scenario_functions(scenario), "reset": scenario.stages["reset"]}
+    return _hash([of_functions(functions), [repr(one) for one in declared]])
 
 
 def _plain(cell: Cell) -> list[Any]:

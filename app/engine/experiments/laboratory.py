@@ -51,6 +51,10 @@ class Look:
         """Whether nothing will come any more."""
         return self.stage in (Stage.FINISHED, Stage.CANCELLED, Stage.FAILED)
 
+    def without_findings(self) -> "Look":
+        """How far it is, and no more."""
+        return replace(self, found=None)
+
 
 class Laboratory:
     """Carries out one experiment in threads of its own. Finished runs are kept, however it ends.
@@ -108,6 +112,10 @@ class Laboratory:
         """Cancel, and wait for all threads to end."""
         self.cancel()
         self._thread.join()
+
+    def wait(self, seconds: float) -> None:
+        """Wait until it is over, but not longer than that."""
+        self._thread.join(seconds)
 
     # ------------------------------------------------------------------------------------- in its thread
 

@@ -148,10 +148,9 @@ def test_an_experiment_is_built_by_hand_and_runs(
     qtbot.mouseClick(window.listing.new, Qt.MouseButton.LeftButton)
     (builder,) = window.findChildren(ExperimentBuilder)
     qtbot.keyClicks(builder.title, "Few boxes")
-    builder.ticks.selectAll()
-    qtbot.keyClicks(builder.ticks, "100")
-    builder.runs.selectAll()
-    qtbot.keyClicks(builder.runs, "2")
+    for field, text in ((builder.ticks, "100"), (builder.runs, "2")):
+        qtbot.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+        qtbot.keyClicks(field, text)
     for row in range(1, builder.arms.count()):
         builder.arms.item(row).setCheckState(Qt.CheckState.Unchecked)
     builder.add_factor("world.boxes", "1, 2")
