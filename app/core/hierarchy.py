@@ -27,9 +27,7 @@ class Node:
 
     def walk(self) -> Iterator["Node"]:
         """This node and all below, parents first, children in order."""
-        yield self
-        for child in self.children:
-            yield from child.walk()
+        return _walk((self,))
 
     def agents(self) -> Iterator["Node"]:
         """The agents at or below this node, in order."""
@@ -44,8 +42,7 @@ class Hierarchy:
 
     def walk(self) -> Iterator[Node]:
         """All nodes, parents first."""
-        for root in self.roots:
-            yield from root.walk()
+        return _walk(self.roots)
 
     def agents(self) -> tuple[Node, ...]:
         """All agents, in the order of their numbers."""
@@ -70,6 +67,16 @@ class Hierarchy:
             if node.id == node_id:
                 return node
         raise HierarchyError(f"there is no node {node_id!r}")
+
+
+def _walk(nodes: Sequence[Node]) -> Iterator[Node]:
+    """These nodes and all below; one generator for all of them, since there may be ten thousand."""
+    waiting = list(reversed(nodes))
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if node.children:
+            waiting.extend(reversed(node.children))
 
 
 def from_table(sizes: Sequence[int], types: Sequence[str]) -> Hierarchy:
@@ -110,7 +117,9 @@ def problems(hierarchy: Hierarchy, types: Mapping[str, NodeType]) -> list[tuple[
         if node.id in seen:
             found.append((node.id, f"the node id {node.id!r} stands twice"))
         seen.add(node.id)
-        found += [(node.id, message) for message in _node_problems(node, types)]
+        node_type = types.get(node.type)
+        if node.children or node_type is None or node_type.level > 0:  # most are agents, as they should be
+            found += [(node.id, message) for message in _node_problems(node, types)]
     return found
 
 

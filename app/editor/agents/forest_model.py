@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -161,6 +161,15 @@ class ForestModel(QAbstractItemModel):
                     first = k
         return found
 
+    def nodes(self, selection: QItemSelection) -> Iterator[Node]:
+        """The nodes of a selection, which may be ten thousand in one range."""
+        for at in range(selection.size()):
+            span = selection.at(at)
+            parent = span.parent()
+            below = self._below(parent.internalId() if parent.isValid() else -1)
+            for row in range(span.top(), span.bottom() + 1):
+                yield self._entries[below[row]].node
+
     def _index_of(self, number: int) -> QModelIndex:
         return QModelIndex() if number < 0 else self.createIndex(self._entries[number].row, 0, number)
 
@@ -291,7 +300,8 @@ def filtered(forest: Hierarchy, text: str) -> Hierarchy:
 
 def _kept(nodes: Iterable[Node], wanted: str) -> Iterable[Node]:
     for node in nodes:
-        if any(wanted in name.casefold() for name in (node_words(node), node.id, node.type)):
+        names = node_words(node), node.id, node.type
+        if wanted in "\n".join(names).casefold():
             yield node
-        elif children := tuple(_kept(node.children, wanted)):
+        elif node.children and (children := tuple(_kept(node.children, wanted))):
             yield Node(node.id, node.type, children, node.name)

@@ -77,6 +77,9 @@ class AgentsPanel(QWidget):
         self._live = QTimer(self, interval=LIVE, singleShot=True)
         self._live.timeout.connect(self._show_doing)
         self._soon = Soon(self, self.follow)
+        self._reselect = Soon(
+            self, self._show_selected
+        )  # apart from following: laying out many rows takes a while
         studio.actions.add(agent_rows(self))
         self._lay_out()
         self._connect()
@@ -174,7 +177,7 @@ class AgentsPanel(QWidget):
             unfolded = [node.id for node in forest.walk() if node.children][:200]
         for node_id in unfolded:
             self.tree.setExpanded(self.model.find(node_id), True)
-        self._show_selected()
+        self._reselect.ask()
 
     def _is_unfolded(self, node: Node) -> bool:
         return self.tree.isExpanded(self.model.find(node.id))
@@ -247,9 +250,7 @@ class AgentsPanel(QWidget):
     def selected(self) -> tuple[Node, ...]:
         """The nodes that are selected in the tree; the current one last."""
         current = self.model.node(self.tree.currentIndex())
-        nodes = [
-            n for i in self.tree.selectionModel().selectedIndexes() if (n := self.model.node(i)) is not None
-        ]
+        nodes = self.model.nodes(self.tree.selectionModel().selection())
         return tuple(sorted(nodes, key=lambda node: node is current))
 
     @property

@@ -50,8 +50,9 @@ def _told_apart(forest: Forest) -> NDArray[np.int64]:
 
 
 def _selected(frame: Frame, forest: Forest) -> NDArray[np.int64]:
-    rows = [frame.scene.place.rows.get(node, forest.controllers) for node in frame.nodes]
-    return np.array(sorted(row for row in set(rows) if row < forest.controllers), np.int64)
+    row_of, above = frame.scene.place.rows.get, forest.controllers
+    rows = np.array([row_of(node, above) for node in frame.nodes], np.int64)
+    return np.unique(rows[rows < above])
 
 
 def hull_corners(frame: Frame, which: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

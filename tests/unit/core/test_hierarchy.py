@@ -107,3 +107,10 @@ def test_problems_name_the_node_and_what_is_allowed(forest: Hierarchy, node: str
 def test_a_forest_can_be_as_irregular_as_its_types_allow() -> None:
     mixed = {**KNOWN, SQUAD: NodeType(SQUAD, 2, (GROUP, "agent"))}
     assert problems(IRREGULAR, mixed) == []
+
+
+def test_a_forest_of_any_depth_is_walked_parents_first() -> None:
+    node = Node("0", "agent")
+    for number in range(1, 3_000):
+        node = Node(str(number), "group", (node,))
+    assert [int(found.id) for found in Hierarchy((node,)).walk()] == list(reversed(range(3_000)))
