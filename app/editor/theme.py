@@ -185,6 +185,7 @@ QAbstractSpinBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 10p
 QToolButton[popupMode="2"] {{ padding-right: 18px; }}
 QToolButton::menu-indicator {{ image: url("{arrow.format("down")}"); width: 10px; height: 10px;
     subcontrol-position: right center; right: 5px; }}
+QTreeView {{ selection-background-color: {chosen}; selection-color: {colors.text}; }}
 QTreeView::branch:has-children:closed {{ image: url("{arrow.format("right")}"); }}
 QTreeView::branch:has-children:open {{ image: url("{arrow.format("down")}"); }}
 QAbstractScrollArea::corner {{ background: transparent; border: none; }}

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QLineEdit,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QTreeView,
     QWidget,
 )
 
@@ -30,7 +30,7 @@ HEIGHT, SWATCH, GAP = 25, 8, 8
 class NodeDelegate(QStyledItemDelegate):
     """Paints nodes; what they do is looked up while painting, so only for those that can be seen."""
 
-    def __init__(self, studio: Studio, view: QAbstractItemView) -> None:
+    def __init__(self, studio: Studio, view: QTreeView) -> None:
         super().__init__(view)
         self._studio = studio
         self._view = view
@@ -65,6 +65,8 @@ class NodeDelegate(QStyledItemDelegate):
         if selected or hovered:
             whole = QRect(0, rect.top(), self._view.viewport().width(), rect.height())
             painter.fillRect(whole, chosen_ground(colors) if selected else hovered_ground(colors))
+            left = QRect(0, rect.top(), rect.left(), rect.height())
+            self._view.drawBranches(painter, left, index)  # the arrow that unfolds lies under what was filled
         metrics = QFontMetrics(text_font())
         wanted = metrics.horizontalAdvance(str(index.data()))
         right = self._paint_doing(painter, rect, node, rect.width() - wanted - 3 * GAP - SWATCH)

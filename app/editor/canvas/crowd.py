@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import ceil
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from .arrays import draw_fragments, draw_lines, draw_polyline
+from .arrays import FRAGMENT, draw_fragments, draw_lines, draw_polyline
 from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
@@ -15,8 +17,8 @@ from .ink import Ink
 
 #: How much those stay visible that the legend does not light up.
 FADED = 0.2
-#: So many selected agents get a ring, a trail and ranges each; so many agents a trail if the user wants all.
-MOST_RINGS, MOST_TRAILS, MOST_RANGES, MOST_OF_ALL = 400, 40, 8, 500
+#: Up to so many selected agents get a wide ring, trails and ranges; up to so many agents trails if the user wants all.
+MOST_WIDE, MOST_TRAILS, MOST_RANGES, MOST_OF_ALL = 60, 40, 8, 500
 #: Letters of the words beside the selected agent; the inspector has the rest.
 MOST_LETTERS = 48
 #: Pieces that a trail fades away in, and how much the newest is visible.
@@ -84,8 +86,7 @@ def paint_trails(painter: QPainter, frame: Frame) -> None:
     chosen = frame.selected()
     if frame.options.all_trails and frame.scene.agents <= MOST_OF_ALL:
         _paint_all_trails(painter, frame)
-    if frame.options.trails and chosen.size:
-        chosen = chosen[:MOST_TRAILS]
+    if frame.options.trails and 0 < chosen.size <= MOST_TRAILS:
         xs, ys = frame.camera.to_view(*(np.asarray(v, np.float64) for v in frame.trails.of(chosen)))
         for k, agent in enumerate(chosen.tolist()):
             _paint_trail(painter, frame, agent, np.stack((xs[:, k], ys[:, k]), axis=1))
@@ -148,13 +149,34 @@ def paint_rings(painter: QPainter, frame: Frame, ink: Ink) -> None:
         (frame.selected(), frame.palette.accent, 0.0, 2.0),
         (taught, frame.palette.teach, 3.0, 2.0),
     ):
+        if agents.size > MOST_WIDE:
+            _paint_tight_rings(painter, frame, agents, QColor(color))
+            continue
         painter.setPen(QPen(QColor(color), width))
-        for entity in agents[:MOST_RINGS].tolist():
+        for entity in agents.tolist():
             painter.drawEllipse(QPointF(x[entity], y[entity]), radius + more, radius + more)
     if 0 <= frame.hovered < len(x):
         _paint_hovered(painter, frame, QPointF(x[frame.hovered], y[frame.hovered]), radius)
     if frame.nodes:
         _paint_label(painter, frame, ink, radius)
+
+
+def _paint_tight_rings(painter: QPainter, frame: Frame, agents: NDArray[np.int64], color: QColor) -> None:
+    """Rings around very many, close around each, from one picture of a ring: wide ones would cover the world."""
+    radius = frame.agent_size * 0.5 + 2.0
+    side = 2 * ceil((radius + 1.0) * frame.ratio)
+    ring = QPixmap(side, side)
+    ring.fill(Qt.GlobalColor.transparent)
+    onto = QPainter(ring)
+    onto.setRenderHint(QPainter.RenderHint.Antialiasing)
+    onto.setPen(QPen(color, 1.2 * frame.ratio))
+    onto.drawEllipse(QPointF(side / 2, side / 2), radius * frame.ratio, radius * frame.ratio)
+    onto.end()
+    x, y = frame.places()
+    fragments = np.zeros((len(agents), FRAGMENT))
+    fragments[:, 0], fragments[:, 1] = x[agents], y[agents]
+    fragments[:, 4:6], fragments[:, 6:8], fragments[:, 9] = side, 1.0 / frame.ratio, 1.0
+    draw_fragments(painter, fragments, ring)
 
 
 def _paint_hovered(painter: QPainter, frame: Frame, center: QPointF, radius: float) -> None:

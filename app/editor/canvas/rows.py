@@ -27,7 +27,12 @@ _SHOWN = (
         "Ctrl+Shift+L",
     ),
     ("ranges", "Ranges of the selected", "Show how far the selected agents see and reach", ""),
-    ("trails", "Trails of the selected", "Show where the selected agents have been", ""),
+    (
+        "trails",
+        "Trails of the selected",
+        "Show where the selected agents have been, if they are 40 or fewer",
+        "",
+    ),
     ("all_trails", "Trails of all", "Show where all agents have been, if they are 500 or fewer", ""),
     ("grid", "Grid", "Show lines every so many units", ""),
 )

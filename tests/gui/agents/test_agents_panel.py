@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QMimeData, QModelIndex, Qt
+from PySide6.QtCore import QMimeData, QModelIndex, QRect, Qt
 from PySide6.QtWidgets import QLineEdit
 from pytestqt.qtbot import QtBot
 
@@ -33,8 +33,8 @@ def panel(studio: Studio, qtbot: QtBot) -> Iterator[AgentsPanel]:
     panel = AgentsPanel(studio)
     qtbot.addWidget(panel)
     panel.resize(280, 500)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     yield panel
     panel.hide()
 
@@ -241,3 +241,15 @@ def test_another_arm_shows_another_forest(panel: AgentsPanel, studio: Studio, qt
     qtbot.waitUntil(lambda: names(panel) == ["Squad 1", "Squad 2"], timeout=PATIENCE)
     studio.document.do(set_hierarchy, "two levels", LevelTable((3,), ("agent",)))
     qtbot.waitUntil(lambda: names(panel) == ["Agent 1", "Agent 2", "Agent 3"])
+
+
+def test_a_node_that_is_chosen_still_shows_that_it_unfolds(
+    panel: AgentsPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    click(panel, qtbot, "group-2")
+    row = panel.tree.visualRect(panel.model.find("group-2"))
+    picture = panel.tree.viewport().grab(QRect(0, row.top(), row.left(), row.height())).toImage()
+    shades = {
+        picture.pixelColor(x, y).lightness() for x in range(picture.width()) for y in range(picture.height())
+    }
+    assert max(shades) - min(shades) > 60  # the arrow, dark on the ground of a chosen row

@@ -134,3 +134,18 @@ def test_of_hundreds_of_controllers_the_highest_and_those_under_the_selected_are
     pilot.studio.selection.select_nodes(("group-3",))
     assert [ids[row] for row in shown_hulls(pilot.frame)][6:] == ["group-3"]
     assert len(shown_links(pilot.frame)) == 6 * 20 + 2
+
+
+def test_every_one_of_very_many_selected_is_marked_close_around_it(pilot: Pilot) -> None:
+    pilot.studio.document.do(set_hierarchy, "independent", LevelTable((300,), ("agent",)))
+    pilot.studio.use_arm("independent")
+    pilot.wait(lambda: pilot.frame.scene.agents == 300)
+    plain = pilot.canvas.grab().toImage()
+    pilot.key(Qt.Key.Key_A, CONTROL)
+    marked = pilot.canvas.grab().toImage()
+    x, y = pilot.frame.places()
+    for agent in range(300):
+        around = [
+            QPoint(round(x[agent]) + dx, round(y[agent]) + dy) for dx in range(-9, 10) for dy in range(-9, 10)
+        ]
+        assert any(plain.pixel(at) != marked.pixel(at) for at in around if plain.valid(at))
