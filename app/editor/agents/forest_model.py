@@ -19,6 +19,7 @@ from PySide6.QtCore import (
 
 from ...core.hierarchy import Hierarchy, Node
 from ...core.wording import node_words
+from ..row_spans import spans
 
 #: Nodes that are dragged: JSON, a list of their ids.
 MIME = "application/x-understudy-nodes"
@@ -152,13 +153,9 @@ class ForestModel(QAbstractItemModel):
                 rows.setdefault(self._entries[index.internalId()].parent, []).append(index.row())
         found = QItemSelection()
         for above, places in rows.items():
-            below, ordered = self._below(above), sorted(set(places))
-            first = 0
-            for k in range(1, len(ordered) + 1):
-                if k == len(ordered) or ordered[k] != ordered[k - 1] + 1:
-                    ends = (self._index_of(below[ordered[at]]) for at in (first, k - 1))
-                    found.append(QItemSelectionRange(*ends))
-                    first = k
+            below = self._below(above)
+            for ends in spans(places):
+                found.append(QItemSelectionRange(*(self._index_of(below[row]) for row in ends)))
         return found
 
     def nodes(self, selection: QItemSelection) -> Iterator[Node]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cache
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
@@ -158,11 +159,12 @@ class ExamplesModel(QAbstractTableModel):
         self.endResetModel()
 
     def _key(self, column: Column) -> Callable[[Example], Any]:
+        shown = cache(self._state)  # of thousands of examples, few differ in their states
         match column:
             case Column.SOURCE:
-                return lambda example: (self._state(example.source), self._state(example.label))
+                return lambda example: (shown(example.source), shown(example.label))
             case Column.LABEL | Column.WORDS:
-                return lambda example: (self._state(example.label), self._state(example.source))
+                return lambda example: (shown(example.label), shown(example.source))
             case Column.NODE:
                 return lambda example: example.node
             case Column.TICK:

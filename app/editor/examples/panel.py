@@ -22,6 +22,7 @@ from ...core.edits import disable_examples, enable_examples, relabel_examples, w
 from ...engine.worker import Worker
 from ..actions import ActionRow
 from ..icons import icon
+from ..row_spans import selected_rows, spans
 from ..soon import Soon
 from .delegates import HEAVIEST, LIGHTEST, LabelDelegate, WeightDelegate
 from .filters import FilterBar
@@ -39,6 +40,7 @@ _ICONS = {
     Verdict.AGREES: ("check", "good"),
     Verdict.OFF: ("circle-off-outline", "dim"),
     Verdict.UNKNOWN: ("help", "dim"),
+    Verdict.UNTOLD: ("help", "dim"),
 }
 _WIDTHS = {
     Column.ID: 76,
@@ -212,8 +214,8 @@ class ExamplesPanel(QWidget):
     def _selected(self) -> None:
         if self._selecting:
             return
-        rows = self.table.selectionModel().selectedRows()
-        ids = [self.model.example(row.row()).id for row in rows]
+        rows = selected_rows(self.table.selectionModel().selection())
+        ids = [self.model.example(row).id for row in rows]
         self._selecting = True
         self._studio.selection.select_examples(ids)
         self._selecting = False
@@ -224,10 +226,10 @@ class ExamplesPanel(QWidget):
         if self._selecting:
             return
         selection = QItemSelection()
-        last = len(Column) - 1
+        end = len(Column) - 1
         rows = [row for i in self.chosen if (row := self.model.row_of(i)) >= 0]
-        for row in rows:
-            selection.select(self.model.index(row, 0), self.model.index(row, last))
+        for first, last in spans(rows):
+            selection.select(self.model.index(first, 0), self.model.index(last, end))
         self._selecting = True
         self.table.selectionModel().select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
         self._selecting = False
