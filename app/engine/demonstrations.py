@@ -35,7 +35,7 @@ Cancelled = Callable[[], bool]
 Where = tuple[str, str]
 
 #: How many ticks pass between two questions whether to go on.
-SLICE = 200
+SLICE = 20
 
 
 def play(

@@ -43,7 +43,7 @@ class Worker(Generic[Asked, Answered]):
 
     def ask(self, question: Asked) -> None:
         """Begin to work; an earlier question that is still open is given up."""
-        self._give_up()
+        self.give_up()
         stop = Event()
         future = self._pool.submit(self._work, question, stop.is_set)
         self._open = question, future, stop
@@ -59,12 +59,13 @@ class Worker(Generic[Asked, Answered]):
             return [self._broken(question, f"{type(error).__name__}: {error}")]
         return [future.result()]
 
-    def close(self) -> None:
-        """Give up what is open and wait for the thread to end."""
-        self._give_up()
-        self._pool.shutdown(wait=True, cancel_futures=True)
+    def close(self, *, wait: bool = True) -> None:
+        """Give up what is open and wait for the thread to end, or let it end by itself."""
+        self.give_up()
+        self._pool.shutdown(wait=wait, cancel_futures=True)
 
-    def _give_up(self) -> None:
+    def give_up(self) -> None:
+        """Nobody wants the answer to the question that is open, if one is."""
         if self._open is not None:
             (_, future, stop), self._open = self._open, None  # first, since cancelling tells whoever waits
             stop.set()

@@ -14,6 +14,7 @@ from ...core.project import Demonstration, Project
 from ..actions import ActionRow, when_open
 from ..forms.buttons import closing
 from ..forms.parts import Item, OrderedList
+from .replay_check import ReplayCheck
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -64,6 +65,7 @@ class DemonstrationsDialog(QDialog):
     Attributes:
         list: All demonstrations, in the order in which they are played.
         facts, note: What the chosen one is, and what the user says of it.
+        check: Plays them, and compares.
     """
 
     def __init__(self, studio: Studio, parent: QWidget) -> None:
@@ -88,6 +90,7 @@ class DemonstrationsDialog(QDialog):
         )
         words.setProperty("role", "caption")
         words.setWordWrap(True)
+        self.check = ReplayCheck(studio)
         form = QFormLayout()
         form.addRow(self.facts)
         form.addRow("Note", self.note)
@@ -95,12 +98,18 @@ class DemonstrationsDialog(QDialog):
         column.addWidget(words)
         column.addWidget(self.list, 1)
         column.addLayout(form)
+        column.addWidget(self.check)
         column.addWidget(closing(self))
-        self.resize(520, 460)
+        self.resize(560, 520)
         studio.document.project_changed.connect(self.refresh)
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)
         self.refresh()
+
+    def done(self, result: int) -> None:
+        """Nobody waits for what is played any more."""
+        self.check.close()
+        super().done(result)
 
     @property
     def chosen(self) -> Demonstration | None:
