@@ -5,9 +5,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import relabel_examples, set_values
+from app.core.edits import disable_examples, relabel_examples, set_values
 from app.core.examples import Example
-from app.editor.examples.model import Column
+from app.editor.examples.model import Column, ExamplesModel, Index
 from app.editor.examples.panel import ExamplesPanel
 from app.editor.examples.verdicts import Verdict
 from app.editor.selection import BehaviorKey
@@ -167,3 +167,29 @@ def test_without_examples_the_panel_says_how_to_make_some(
     qtbot.waitUntil(lambda: panel.model.counts[1] == 0, timeout=PATIENCE)
     assert panel._empty.isVisibleTo(panel)
     assert "press Teach" in panel._empty.text()
+
+
+def test_all_are_selected_as_one_range_and_painting_asks_those_that_are_seen_only(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of ten thousand, anything else takes seconds."""
+    qtbot.keyClick(panel.table, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    chosen = [example.id for example in examples(window)]
+    assert sorted(window.studio.selection.examples) == sorted(chosen)
+    window.studio.document.do(disable_examples, WANDER.type, WANDER.id, chosen)
+    qtbot.waitUntil(
+        lambda: not any(panel.model.example(row).enabled for row in range(len(chosen))), timeout=PATIENCE
+    )
+    assert panel.table.selectionModel().selection().size() == 1
+    seen = panel.table.rowAt(panel.table.viewport().height() - 1)
+    assert 0 <= seen < len(chosen) - 1
+    asked: set[int] = set()
+
+    def flags(index: Index) -> Qt.ItemFlag:
+        asked.add(index.row())
+        return ExamplesModel.flags(panel.model, index)
+
+    monkeypatch.setattr(panel.model, "flags", flags)
+    panel.table.grab()
+    assert asked
+    assert max(asked) <= seen + 1
