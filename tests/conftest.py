@@ -6,9 +6,15 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
+
+    from tests.patient_bot import PatientBot
 
 # Before anything imports Qt.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -54,3 +60,11 @@ def no_thread_left_behind() -> Iterator[None]:
     left = sorted(thread.name for thread in _our_threads() - before)
     if left:
         pytest.fail(f"threads left behind: {', '.join(left)}")
+
+
+@pytest.fixture
+def qtbot(qapp: "QApplication", request: pytest.FixtureRequest) -> "PatientBot":
+    """Instead of pytest-qt's: it gives a slow machine time, and the window a moment before each key and click."""
+    from tests.patient_bot import PatientBot
+
+    return PatientBot(request)

@@ -168,6 +168,7 @@ class Studio(QObject):
     def shut_down(self) -> None:
         """End all that runs in the background."""
         self.closing.emit()
+        self._soon.forget()
         self.bridge.shut_down()
         self.relearning.close()
         self.settings.sync()

@@ -27,8 +27,11 @@ class Clock:
 
     @property
     def shown(self) -> float | None:
-        """The speed that the user reads: stepping is as fast as 1 to them."""
-        return self.speed if self.due == 0 else 1.0
+        """The speed that the user reads: stepping is as fast as 1 to them.
+
+        A single step is over before anybody could stop it: the key that plays or stops must not find time passing then.
+        """
+        return self.speed if self.due <= 1 else 1.0
 
     def play(self, speed: float | None) -> None:
         """Let time pass at this speed.

@@ -15,10 +15,12 @@ from app.editor.studio import Studio
 from app.editor.theme import Theme, ThemeMode
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
+from tests import patient_bot
+from tests.patient_bot import have_done_what_is_due
 
 FORAGING = Path(__file__).parents[2] / "projects" / "foraging"
-#: Milliseconds that a test waits at most; a busy machine is slow.
-PATIENCE = 20_000
+#: Milliseconds that a test waits at most.
+PATIENCE = patient_bot.PATIENCE
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -64,6 +66,7 @@ def studio(empty_studio: Studio, foraging: Project, qtbot: QtBot) -> Studio:
     """A studio with the foraging project open, its first arm standing at tick 0."""
     empty_studio.open(foraging, open_scenario(foraging), FORAGING)
     qtbot.waitUntil(lambda: empty_studio.snapshot is not None, timeout=PATIENCE)
+    have_done_what_is_due()
     return empty_studio
 
 
@@ -73,7 +76,8 @@ def window(studio: Studio, qtbot: QtBot) -> Iterator[MainWindow]:
     window = MainWindow(studio)
     qtbot.addWidget(window)
     window.resize(1440, 900)
-    window.show()
-    qtbot.waitExposed(window)
+    with qtbot.waitExposed(window):
+        window.show()
+    have_done_what_is_due()
     yield window
     window.hide()

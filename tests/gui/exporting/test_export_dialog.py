@@ -18,7 +18,8 @@ from tests.gui.conftest import PATIENCE
 def dialog(window: MainWindow, qtbot: QtBot) -> ExportDialog:
     window.studio.actions["file.export"].trigger()
     (dialog,) = window.findChildren(ExportDialog)
-    qtbot.waitExposed(dialog)
+    with qtbot.waitExposed(dialog):
+        pass  # it has shown itself
     return dialog
 
 

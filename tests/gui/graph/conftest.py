@@ -17,8 +17,8 @@ def panel(studio: Studio, qtbot: QtBot) -> Iterator[GraphPanel]:
     panel = GraphPanel(studio)
     qtbot.addWidget(panel)
     panel.resize(700, 600)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     Author(panel, qtbot).settle()
     yield panel
     panel.hide()

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import disable_examples, rename_automaton, set_note
+from app.core.edits import disable_examples, duplicate_automaton, rename_automaton, set_note
 from app.editor.library.delegate import USED_BY, layout
 from app.editor.library.deleting import ReplaceDialog
 from app.editor.library.model import FIT, MIME, ROW
@@ -26,8 +26,8 @@ def panel(studio: Studio, qtbot: QtBot) -> Iterator[LibraryPanel]:
     panel = LibraryPanel(studio)
     qtbot.addWidget(panel)
     panel.resize(420, 700)  # room for all badges, whichever facts have come
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     yield panel
     panel.hide()
 
@@ -159,6 +159,32 @@ def test_the_filter_finds_names_features_and_states(panel: LibraryPanel, qtbot: 
     panel.filter.clear()
     assert "Goto(X)" in shown(panel)
     assert not groups(panel)["SQUAD · LEARNED"]
+
+
+def test_typing_into_the_filter_chooses_nothing_and_the_down_arrow_goes_to_what_was_found(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    with qtbot.assertNotEmitted(studio.selection.behavior_changed):
+        qtbot.keyClicks(panel.filter, "gather")
+        assert not panel.tree.currentIndex().isValid()
+        qtbot.keyClicks(panel.filter, "x")  # nothing is left
+        panel.filter.clear()
+        assert panel.tree.currentIndex().data() == "Forage"
+        qtbot.keyClicks(panel.filter, "gather")
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Down)
+    assert panel.tree.hasFocus()
+    assert studio.selection.behavior == BehaviorKey("agent", "gather-at")
+
+
+def test_numbered_behaviors_stand_in_the_order_of_their_numbers(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    for number in (10, 9, 1):
+        studio.document.do(duplicate_automaton, "agent", "wander", f"Copy {number}")
+    qtbot.waitUntil(lambda: "Copy 9" in shown(panel), timeout=PATIENCE)
+    copies = [name for name in shown(panel) if name.startswith("Copy")]
+    assert list(dict.fromkeys(copies)) == ["Copy 1", "Copy 9", "Copy 10"]
 
 
 def test_enter_in_the_filter_goes_to_the_first_that_is_left(

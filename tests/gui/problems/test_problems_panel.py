@@ -26,8 +26,8 @@ def panel(studio: Studio, qtbot: QtBot) -> Iterator[ProblemsPanel]:
     panel = ProblemsPanel(studio)
     qtbot.addWidget(panel)
     panel.resize(760, 240)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     yield panel
     panel.hide()
 

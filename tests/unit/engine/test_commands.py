@@ -197,6 +197,14 @@ def test_a_session_begins_paused_with_the_arm_running() -> None:
     assert driver.advance(2).place() == 2.0
 
 
+def test_a_step_that_has_not_passed_yet_does_not_turn_the_next_play_into_a_pause() -> None:
+    session = Driver().session
+    session.send(Step(1))
+    assert (session.playing, session.snapshot().speed) == (True, 0.0)
+    session.send(Step(1))
+    assert session.snapshot().speed == 1.0  # two can be stopped between
+
+
 def test_play_step_and_pause() -> None:
     session = Driver().session
     session.send(Play(2.0))
