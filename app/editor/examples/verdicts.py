@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from ...core.automaton import Automaton
+from ...core.automaton import Automaton, Refit
 from ...core.examples import Example
 from ...core.tree import Forest, Tree
 from ...engine.worker import IsCancelled
@@ -20,6 +20,7 @@ class Verdict(StrEnum):
     AGREES = "agrees"
     OFF = "off"
     UNKNOWN = "not learned yet"
+    UNTOLD = "not told"
 
 
 #: What each verdict means, for tool tips.
@@ -29,7 +30,8 @@ MEANINGS: Mapping[Verdict, str] = {
     Verdict.LEFT_OUT: "it cannot be learned from: it mentions a state that is gone, or lacks the value of a feature",
     Verdict.AGREES: "what was learned does what it says",
     Verdict.OFF: "it is disabled: kept, but not learned from",
-    Verdict.UNKNOWN: "nothing that can tell was learned for its state yet",
+    Verdict.UNKNOWN: "nothing was learned for its state yet",
+    Verdict.UNTOLD: "it is learned from, by a model that has no tree; the behavior's settings say how well it fits",
 }
 
 
@@ -70,6 +72,8 @@ def _verdict(example: Example, automaton: Automaton, features: Sequence[str], *,
     if conflict:
         return Verdict.CONFLICT
     model = automaton.learned.get(example.source)
+    if isinstance(model, Refit):
+        return Verdict.UNTOLD
     if not isinstance(model, Tree | Forest):
         return Verdict.UNKNOWN
     try:
