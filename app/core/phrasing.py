@@ -209,8 +209,8 @@ def in_degrees(feature: Feature) -> bool:
 
 
 def for_people(feature: Feature, value: float) -> float:
-    """A value in the unit in which people read it."""
-    return degrees(value) if in_degrees(feature) else value
+    """A value in the unit in which people read it; an angle has no digits that are only an error of rounding."""
+    return round(degrees(value), 9) if in_degrees(feature) else value
 
 
 def unit_of(feature: Feature, told: str = "") -> str:

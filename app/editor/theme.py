@@ -12,6 +12,8 @@ from .palette import DARK, LIGHT, Palette
 
 #: Pixels of text and of captions.
 TEXT, CAPTION = 13, 11
+#: The layout of buttons in which the one that accepts stands last, where the eye ends, on every platform (Qt's number).
+ACCEPT_LAST = 3
 #: Where the arrows of boxes are.
 ARROWS = Path("resources", "icons")
 
@@ -115,6 +117,8 @@ def qt_palette(colors: Palette) -> QPalette:
         palette.setColor(which, QColor(color))
     for which in (role.WindowText, role.Text, role.ButtonText):
         palette.setColor(QPalette.ColorGroup.Disabled, which, mixed(colors.dim, colors.panel, 0.35))
+    for which in (role.Highlight, role.Accent):
+        palette.setColor(QPalette.ColorGroup.Disabled, which, mixed(colors.dim, colors.panel, 0.6))
     return palette
 
 
@@ -175,7 +179,7 @@ QToolButton[flat="true"]:hover {{ background: {hover}; }}
 QComboBox QAbstractItemView, #completions {{ background: {colors.raised}; border: 1px solid {colors.hairline}; }}
 QComboBox {{ selection-background-color: {chosen}; selection-color: {colors.text}; }}
 QComboBoxPrivateContainer {{ border: none; }}
-QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
+QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; button-layout: {ACCEPT_LAST}; }}
 QComboBox::drop-down {{ border: none; width: 20px; }}
 QComboBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 12px; height: 12px; }}
 QSpinBox, QDoubleSpinBox {{ padding-right: 18px; }}

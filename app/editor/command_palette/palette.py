@@ -9,6 +9,7 @@ from PySide6.QtCore import QAbstractListModel, QEvent, QModelIndex, QObject, QPe
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QListView, QVBoxLayout, QWidget
 
+from ..theme import mixed
 from .catalog import Ask, Catalog, Entry
 from .entry_painting import EntryDelegate
 
@@ -224,7 +225,8 @@ class Palette(QFrame):
 
     def _dress(self) -> None:
         colors = self._studio.theme.palette
+        edge = mixed(colors.dim, colors.panel, 0.5).name()  # it lies on panels of the same color
         self.setStyleSheet(
-            f"#palette {{ background: {colors.panel}; border: 1px solid {colors.hairline}; border-radius: 9px; }}"
+            f"#palette {{ background: {colors.panel}; border: 1px solid {edge}; border-radius: 9px; }}"
             "#palette QLineEdit { padding: 7px 10px; font-size: 14px; }"
         )

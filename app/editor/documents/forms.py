@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
@@ -77,6 +78,9 @@ class Form:
         """Add an explanation below the controls so far."""
         label.setProperty("role", "caption")
         label.setWordWrap(True)
+        label.setSizePolicy(
+            QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred
+        )  # lines as long as the controls
         self._rows.addRow("", label)
 
     def complain(self, problem: str) -> None:

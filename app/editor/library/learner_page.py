@@ -37,6 +37,8 @@ from .editing import Editing
 MOST_PERCENT, USUAL_PERCENT = 50, 25
 #: Milliseconds without another change before the accuracy is estimated.
 PATIENCE = 250
+#: The row of the form at which the classifier's options begin: behind the classifier and what is said of it.
+OPTIONS = 2
 SAMPLINGS = {
     Sampling.SAMPLE: (
         "drawn at every tick",
@@ -63,9 +65,7 @@ class LearnerPage(QWidget):
             self.classifier.setItemData(self.classifier.count() - 1, method.doc, Qt.ItemDataRole.ToolTipRole)
         self.classifier.activated.connect(self._classifier_chosen)
         self.doc = caption("")
-        self.options = QWidget()
-        self._options = QFormLayout(self.options)
-        self._options.setContentsMargins(0, 0, 0, 0)
+        self._form = QFormLayout()
         self.fields: dict[str, QDoubleSpinBox | QSpinBox] = {}
         self._shown_method = ""
         self.sampling = QComboBox()
@@ -80,6 +80,7 @@ class LearnerPage(QWidget):
         self.accuracy = QLabel()
         self.accuracy.setWordWrap(True)
         self.accuracy.setAccessibleName("How well it learns")
+        self.accuracy.setText("Trying it out…")
         self._lay_out()
         self.validation = Validation(self)
         self.validation.told.connect(self.accuracy.setText)
@@ -105,18 +106,19 @@ class LearnerPage(QWidget):
         self.percent.setMinimumWidth(40)
 
     def _lay_out(self) -> None:
-        pruning = QHBoxLayout()
-        for part in (self.pruning, self.confidence, self.percent):
-            pruning.addWidget(part)
-        form = QFormLayout()
+        strength = QHBoxLayout()
+        for part in (self.confidence, self.percent):
+            strength.addWidget(part)
+        form = self._form
+        form.setHorizontalSpacing(16)
         form.addRow("Classifier", self.classifier)
-        form.addRow(self.doc)
-        form.addRow(self.options)
+        form.addRow("", self.doc)
         form.addRow("Next state", self.sampling)
-        form.addRow(pruning)
+        form.addRow(self.pruning, strength)
         column = QVBoxLayout(self)
         column.addLayout(form)
         column.addWidget(self.trouble)
+        column.addSpacing(8)
         column.addWidget(caption("HOW WELL IT LEARNS"))
         column.addWidget(self.accuracy)
         column.addStretch(1)
@@ -150,11 +152,11 @@ class LearnerPage(QWidget):
         method = METHODS.get(settings.classifier)
         if method is not None and method.name != self._shown_method:
             self._shown_method = method.name
-            while self._options.rowCount():
-                self._options.removeRow(0)
+            for _ in self.fields:
+                self._form.removeRow(OPTIONS)
             self.fields = {option.name: self._field(option) for option in method.options}
-            for option in method.options:
-                self._options.addRow(option.title, self.fields[option.name])
+            for place, option in enumerate(method.options, OPTIONS):
+                self._form.insertRow(place, option.title, self.fields[option.name])
         for option in method.options if method else ():
             field, value = self.fields[option.name], settings.options.get(option.name, option.default)
             field.blockSignals(True)

@@ -18,9 +18,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..actions import MENUS
 from ..forms.buttons import text_button
 
 if TYPE_CHECKING:
+    from ..actions import ActionRow
     from ..studio import Studio
 
 NAME, KEYS, MENU = range(3)
@@ -103,7 +105,7 @@ class KeysPage(QWidget):
         """Show all actions with the keys in force."""
         actions = self._studio.actions
         chosen = self.action
-        self._ids = sorted(actions.rows, key=lambda name: (actions.rows[name].menu, actions.rows[name].text))
+        self._ids = sorted(actions.rows, key=lambda name: _place(actions.rows[name]))
         self.table.blockSignals(True)
         self.table.setRowCount(len(self._ids))
         for at, action_id in enumerate(self._ids):
@@ -190,3 +192,8 @@ class KeysPage(QWidget):
     def _reset_all(self) -> None:
         for action in list(self._studio.settings.keys):
             self._studio.settings.set_key(action, None)
+
+
+def _place(row: ActionRow) -> tuple[bool, int, str]:
+    """In the order of the menus, those that are in none at the end."""
+    return not row.menu, MENUS.index(row.menu) if row.menu else 0, row.text

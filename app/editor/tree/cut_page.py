@@ -19,10 +19,14 @@ LEFT, RIGHT, TOP, BOTTOM = 10, 44, 18, 18
 #: One press of an arrow key, as a share of what is shown.
 STEP = 0.01
 EMPTY = "Select a node that tests a number or an angle to see its examples and to drag its cut."
+TREELESS = "There is no tree here, so there is no cut to see or to drag."
 
 
 class CutPage(QWidget):
     """Shows a histogram and drags its cut.
+
+    Attributes:
+        empty: What is said where there is no histogram.
 
     Signals:
         dragged: The cut is on its way: the test as it would be.
@@ -45,6 +49,7 @@ class CutPage(QWidget):
         self._feature: Feature | None = None
         self._held: int | None = None  # which end is dragged
         self._last = 0
+        self.empty = EMPTY
         self.setMinimumHeight(96)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("Histogram of the examples at the node; arrow keys move the cut")
@@ -58,9 +63,12 @@ class CutPage(QWidget):
         found: Histogram | None,
         test: AtMost | InArc | None,
         feature: Feature | None,
+        *,
+        treeless: bool = False,
     ) -> None:
-        """Show the histogram of a test; None if what is selected has no cut."""
+        """Show the histogram of a test; None if what is selected has no cut, or if all of it is *treeless*."""
         if self._held is None:
+            self.empty = TREELESS if treeless else EMPTY
             self._subject, self._histogram, self._test, self._feature = subject, found, test, feature
             self.update()
 
@@ -161,7 +169,7 @@ class CutPage(QWidget):
         if self._histogram is None or self._subject is None:
             painter.setPen(self._theme.color("dim"))
             around = QRectF(self.rect()).adjusted(10, 6, -10, -6)
-            painter.drawText(around, Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap, EMPTY)
+            painter.drawText(around, Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap, self.empty)
             return
         self._paint_bars(painter, self._histogram)
         self._paint_axis(painter, self._histogram)

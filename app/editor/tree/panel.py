@@ -259,7 +259,8 @@ class TreePanel(QWidget):
             return "Choose a behavior in the library to see how it decides."
         name = subject.name(subject.state)
         if isinstance(subject.model, Refit):
-            said = f"The {subject.model.classifier} model of {name} has no tree; it is refitted from the examples."
+            title = METHODS[subject.model.classifier].title
+            said = f"{title} has no tree to show: {name} decides by a model that is fitted to its examples."
             return f"{said} {self._outcome_now()}".strip()
         if subject.automaton.rules_of(subject.state):
             return f"{name} has learned nothing; its rules decide, and what they leave stays."
@@ -368,7 +369,8 @@ class TreePanel(QWidget):
             subject.histogram(self.scene.chosen) if subject is not None and self.tools.page == "cut" else None
         )
         if found is None or subject is None:
-            self.tools.cut.show_test(None, None, None, None)
+            treeless = subject is None or subject.tree is None
+            self.tools.cut.show_test(None, None, None, None, treeless=treeless)
         else:
             self.tools.cut.show_test(subject, *found, subject.feature_of(found[1]))
 

@@ -60,8 +60,8 @@ class StatusBar(QStatusBar):
     def _slowly(self) -> None:
         snapshot = self._studio.snapshot
         if snapshot is not None:
-            rate = self._studio.bridge.rate
-            self.rate.setText(f"{rate:,.0f} ticks/s" if rate else "paused")
+            rate = 0.0 if snapshot.failure else self._studio.bridge.rate
+            self.rate.setText(f"{rate:,.0f} ticks/s" if rate else "stopped" if snapshot.failure else "paused")
             self.measures.setText(
                 " · ".join(f"{name} {count:,g}" for name, count in snapshot.measures.items())
             )

@@ -152,7 +152,8 @@ class _Lowering:
         model = self._classifiers(kind, automaton, state_id)
         if not (model is None or isinstance(model, Tree | Forest)):
             raise ProgramError(
-                f"state {state_id!r} of {automaton.name!r} decides by a {type(model).__name__}, not by trees"
+                f"{automaton.name} decides by its {automaton.settings.classifier} model, which cannot be compiled: "
+                "ticks are slower"
             )
         if model is not None and model != automaton.learned.get(state_id):
             raise ProgramError(

@@ -114,6 +114,7 @@ def arc(feature: str, start: float, end: float, *, wanted: bool = True) -> Condi
         ((above("away", 5.0), within("away", 12.0)), "between 5 and 12 from deposit"),
         ((within("away", 12.0), within("away", 8.0), above("away", 5.0)), "between 5 and 8 from deposit"),
         ((above("away", 5.0001), within("away", 5.0002)), "between 5.0001 and 5.0002 from deposit"),
+        ((arc("toward", -180, 2.82e-15),), "deposit lies between -180 and 0 degrees"),
         ((arc("toward", -10, 10),), "deposit lies between -10 and 10 degrees"),
         ((arc("toward", -10, 10, wanted=False),), "deposit does not lie between -10 and 10 degrees"),
         ((arc("toward", 170, -170),), "deposit does not lie between -170 and 170 degrees"),

@@ -249,7 +249,7 @@ def test_a_behavior_that_no_table_can_hold_runs_uncompiled_with_a_reason() -> No
     found.step(20)
     wanted.step(20)
     assert difference(found, wanted) == ""
-    assert "decides by a FairCoin" in found.obstacle
+    assert "which cannot be compiled: ticks are slower" in found.obstacle
 
 
 # -------------------------------------------------------------------------------------- what goes wrong

@@ -1,6 +1,8 @@
 """What the examples table says of each example."""
 
-from app.core.automaton import Automaton, Basic, State
+from dataclasses import replace
+
+from app.core.automaton import Automaton, Basic, Refit, State
 from app.core.conditions import AtMost
 from app.core.examples import Example
 from app.core.features import FeatureUse, Sense
@@ -58,3 +60,8 @@ def test_judging_ends_when_it_is_cancelled() -> None:
 
 def test_every_verdict_is_explained() -> None:
     assert set(MEANINGS) == set(Verdict)
+
+
+def test_of_a_model_without_a_tree_nobody_says_that_nothing_was_learned() -> None:
+    fitted = replace(AUTOMATON, learned={"go": Refit("knn")})
+    assert judge(Matter(fitted, (example(1, "go", 4.0),))).verdicts == {"1": Verdict.UNTOLD}
