@@ -40,6 +40,12 @@ def _numbered(taken: Collection[str], beginning: str) -> str:
     return f"{beginning}{number}"
 
 
+def natural(name: str) -> tuple[tuple[str, int], ...]:
+    """What to sort names by, so that ``Goto 2`` stands before ``Goto 10``."""
+    parts = re.findall(r"([^0-9]*)([0-9]*)", name.casefold())
+    return tuple((letters, int(digits or -1)) for letters, digits in parts)
+
+
 def next_number(ids: Iterable[str]) -> int:
     """One more than the highest of the *ids* that are numbers: ids of examples, rules and prunes count up."""
     return 1 + max((int(i) for i in ids if i.isascii() and i.isdigit()), default=0)

@@ -15,7 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ...core.amounts import counted
 from ...core.edits import delete_automaton, users
+from ...core.naming import natural
 from ...core.vocabulary import BasicBehavior
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import framed
@@ -25,15 +27,35 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 
-def delete_behavior(studio: Studio, parent: QWidget) -> None:
-    """Delete the behavior that is shown; ask for a replacement if something uses it."""
+def delete_behavior(studio: Studio, parent: QWidget, then: BehaviorKey | None = None) -> None:
+    """Delete the behavior that is shown; ask for a replacement if something uses it.
+
+    Args:
+        then: The behavior to show afterwards.
+    """
     shown = studio.selection.behavior
     if shown is None:
         return
     if users(studio.document.project, shown.type, shown.id):
-        ReplaceDialog(studio, shown, parent).open()
+        ReplaceDialog(studio, shown, parent, then).open()
     else:
-        studio.document.attempt(delete_automaton, shown.type, shown.id)
+        _delete(studio, shown, None, then)
+
+
+def _delete(
+    studio: Studio, doomed: BehaviorKey, replacement: str | BasicBehavior | None, then: BehaviorKey | None
+) -> bool:
+    """Delete a behavior, and say what went with it."""
+    project = studio.document.project
+    name = project.library(doomed.type).get(doomed.id).name
+    examples = len(project.examples_of(doomed.type, doomed.id))
+    if not studio.document.attempt(delete_automaton, doomed.type, doomed.id, replacement=replacement):
+        return False
+    if then is not None:
+        studio.selection.select_behavior(then)
+    lost = f" with {counted(examples, 'example')}" if examples else ""
+    studio.say(f"{name} was deleted{lost}; undo brings it back")
+    return True
 
 
 class ReplaceDialog(QDialog):
@@ -44,8 +66,11 @@ class ReplaceDialog(QDialog):
         delete: Replaces and deletes.
     """
 
-    def __init__(self, studio: Studio, behavior: BehaviorKey, parent: QWidget) -> None:
+    def __init__(
+        self, studio: Studio, behavior: BehaviorKey, parent: QWidget, then: BehaviorKey | None = None
+    ) -> None:
         super().__init__(parent)
+        self._then = then
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._studio = studio
         self._behavior = behavior
@@ -80,18 +105,17 @@ class ReplaceDialog(QDialog):
 
     def _choices(self) -> list[Choice]:
         document, of = self._studio.document, self._behavior
-        automata = document.project.library(of.type).automata.values()
+        automata = sorted(document.project.library(of.type).automata.values(), key=lambda a: natural(a.name))
         choices = [Choice(a.name, a.id, "automaton") for a in automata if a.id != of.id]
         basics = document.vocabulary(of.type).behaviors.values()
         return choices + [Choice(basic.name, basic, basic.doc) for basic in basics]
 
     def _accept(self) -> None:
-        choice = self.chooser.choice
-        if choice is None:
+        choice, gone = self.chooser.choice, self.result() == QDialog.DialogCode.Accepted
+        if choice is None or gone:
             return
         replacement = choice.value
         assert isinstance(replacement, str | BasicBehavior)
-        if self._studio.document.attempt(
-            delete_automaton, self._behavior.type, self._behavior.id, replacement=replacement
-        ):
+        then = BehaviorKey(self._behavior.type, replacement) if isinstance(replacement, str) else self._then
+        if _delete(self._studio, self._behavior, replacement, then):
             self.accept()

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QPoint, Qt
+from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.edits import duplicate_automaton, rename_automaton
@@ -14,6 +14,7 @@ from ...core.project import Project
 from ..selection import BehaviorKey
 from ..soon import Soon
 from .delegate import USES, BehaviorDelegate
+from .deleting import delete_behavior
 from .filtering import LibraryFilter
 from .fits import Fits
 from .model import LibraryModel
@@ -55,6 +56,7 @@ class LibraryPanel(QWidget):
         self._surveyor = Surveyor()
         self._fits = Fits(self)
         self._arm = ""
+        self._kept_in_sight: RowKey | None = None
         self._words: tuple[Project, dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]]] | None = None
         self.model = LibraryModel(self._fits, self._renamed)
         self.shown = LibraryFilter(self.model, self._words_of)
@@ -112,6 +114,7 @@ class LibraryPanel(QWidget):
         studio.closing.connect(self._fits.close)
         self.filter.textChanged.connect(self._filtered)
         self.filter.returnPressed.connect(self._enter_tree)
+        self.filter.installEventFilter(self)
         self.tree.asked.connect(self._asked)
         self.tree.released.connect(lambda: self._current_changed(self.tree.currentIndex()))
         self.tree.dragged.connect(self._show_selected)
@@ -150,6 +153,13 @@ class LibraryPanel(QWidget):
         if self.filter.text():
             self._filtered()
         self._show_selected()
+        self._keep_in_sight()
+
+    def _keep_in_sight(self) -> None:
+        """What was just named otherwise, or made, may not be what the filter looks for; it is not hidden all the same."""
+        key, self._kept_in_sight = self._kept_in_sight, None
+        if key is not None and not self.shown.mapFromSource(self.model.find(key)).isValid():
+            self.filter.clear()
 
     def _groups(self) -> Iterator[Group]:
         for at in range(self.model.rowCount()):
@@ -221,6 +231,7 @@ class LibraryPanel(QWidget):
         self.tree.edit(self.tree.currentIndex())
 
     def _renamed(self, key: RowKey, name: str) -> bool:
+        self._kept_in_sight = key
         return bool(self._studio.document.attempt(rename_automaton, key.type, key.id, name))
 
     def duplicate(self) -> None:
@@ -230,7 +241,22 @@ class LibraryPanel(QWidget):
             return
         made = self._studio.document.attempt(duplicate_automaton, behavior.type, behavior.id)
         if made:
+            self._kept_in_sight = RowKey(behavior.type, str(made))
             self._studio.selection.select_behavior(BehaviorKey(behavior.type, str(made)))
+
+    def delete(self) -> None:
+        """Delete the behavior that is shown; the one beside it is shown then."""
+        behavior = self._studio.selection.behavior
+        if behavior is not None:
+            delete_behavior(self._studio, self, self.neighbor(behavior))
+
+    def neighbor(self, behavior: BehaviorKey) -> BehaviorKey | None:
+        """The behavior below another one in the list, or else the one above it."""
+        index = self.shown.mapFromSource(self.model.find(RowKey(behavior.type, behavior.id)))
+        for row in (self._row(index.siblingAtRow(index.row() + step)) for step in (1, -1)):
+            if row is not None and row.is_automaton:
+                return BehaviorKey(row.key.type, row.key.id)
+        return None
 
     def _asked(self, action: str) -> None:
         row = self._row(self.tree.currentIndex())
@@ -239,6 +265,7 @@ class LibraryPanel(QWidget):
             if action == "behavior.open":
                 self.tree.setExpanded(index, not self.tree.isExpanded(index))
         elif row.is_automaton:
+            self._current_changed(self.tree.currentIndex())  # what the cursor is on is what is meant
             self._studio.actions[action].trigger()
 
     def _activated(self, index: QModelIndex) -> None:
@@ -295,13 +322,35 @@ class LibraryPanel(QWidget):
         self.filter.selectAll()
 
     def _filtered(self) -> None:
+        """Typing looks for something and chooses nothing: what is shown elsewhere stays."""
         was_filtered = bool(self.shown.text)
+        self._selecting = True
         self.shown.use(self.filter.text())
+        self._selecting = False
         if self.shown.text:
             self.tree.expandAll()
+            self._show_found()
         elif was_filtered:
             self._fold(set())
             self._show_selected()
+
+    def _show_found(self) -> None:
+        """From the top, unless the behavior that is shown is among what was found."""
+        behavior = self._studio.selection.behavior
+        key = None if behavior is None else RowKey(behavior.type, behavior.id)
+        if key is None or not self.shown.mapFromSource(self.model.find(key)).isValid():
+            self.tree.selectionModel().clear()
+            self.tree.scrollToTop()
+        else:
+            self._show_selected()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The down arrow goes from the filter to what was found, as Enter does."""
+        pressed = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress
+        if watched is self.filter and pressed and event.key() == Qt.Key.Key_Down:
+            self._enter_tree()
+            return True
+        return super().eventFilter(watched, event)
 
     def _enter_tree(self) -> None:
         """Enter in the filter goes to the first behavior that is left."""

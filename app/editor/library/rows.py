@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..actions import ActionRow, when_open
-from .deleting import delete_behavior
 from .new_automaton import new_automaton
 from .settings_dialog import behavior_settings
 
@@ -88,7 +87,7 @@ def library_rows(panel: LibraryPanel) -> tuple[ActionRow, ...]:
             "behavior.delete",
             "Delete behavior…",
             "Behavior",
-            lambda studio: delete_behavior(studio, panel),
+            lambda _: panel.delete(),
             "change",
             tip="Delete the behavior that is shown; its users can get a replacement (Delete in the library)",
             icon="delete-outline",

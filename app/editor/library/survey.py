@@ -13,7 +13,7 @@ from ...core.errors import UnderstudyError
 from ...core.examples import Example
 from ...core.hierarchy import Hierarchy
 from ...core.library import Library, NodeType, Types, raised_flags
-from ...core.naming import shown_state
+from ...core.naming import natural, shown_state
 from ...core.project import Arm, Project
 from ...core.remembered import Remembered
 from ...core.vocabulary import BasicBehavior, Vocabulary
@@ -220,7 +220,7 @@ def types_in(arm: Arm | None, project: Project) -> frozenset[str]:
 
 
 def from_the_top(library: Library) -> list[Automaton]:
-    """The automata of a library, those that hold others before those that they hold; equals by name."""
+    """The automata of a library, those that hold others before those that they hold; equals by name, numbers as such."""
     depths: dict[str, int] = {}
 
     def depth(automaton_id: str, above: frozenset[str]) -> int:
@@ -232,7 +232,7 @@ def from_the_top(library: Library) -> list[Automaton]:
             depths[automaton_id] = 1 + max((depth(held, inside) for held in automaton.nested()), default=0)
         return depths[automaton_id]
 
-    return sorted(library.automata.values(), key=lambda a: (-depth(a.id, frozenset()), a.name.casefold()))
+    return sorted(library.automata.values(), key=lambda a: (-depth(a.id, frozenset()), natural(a.name)))
 
 
 # ------------------------------------------------------------------------------------------- who uses whom

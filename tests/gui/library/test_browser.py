@@ -133,6 +133,50 @@ def test_delete_removes_what_nobody_uses_at_once(panel: LibraryPanel, studio: St
     assert studio.document.automaton("agent", copied.id) is None
 
 
+def test_after_deleting_the_behavior_beside_it_is_shown_and_what_went_is_said(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    for number in (1, 2, 3):
+        studio.document.do(duplicate_automaton, "agent", "wander", f"Copy {number}")
+    qtbot.waitUntil(lambda: "Copy 3" in shown(panel), timeout=PATIENCE)
+    click(panel, qtbot, RowKey("agent", "copy-2"))
+    with qtbot.waitSignal(studio.said) as said:
+        qtbot.keyClick(panel.tree, Qt.Key.Key_Delete)
+    assert said.args is not None
+    assert said.args[0].text == "Copy 2 was deleted with 10 examples; undo brings it back"
+    assert studio.selection.behavior == BehaviorKey("agent", "copy-3")
+    qtbot.waitUntil(lambda: panel.tree.currentIndex().data() == "Copy 3", timeout=PATIENCE)
+
+
+def test_keys_in_the_list_are_about_the_row_that_they_are_pressed_on(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    studio.document.do(duplicate_automaton, "agent", "wander", "Copy")
+    qtbot.waitUntil(lambda: "Copy" in shown(panel), timeout=PATIENCE)
+    click(panel, qtbot, RowKey("agent", "copy"))
+    qtbot.keyClicks(panel.filter, "goto")  # hides what is shown elsewhere
+    panel.tree.setFocus()
+    panel.tree.setCurrentIndex(panel.shown.mapFromSource(panel.model.find(GOTO)))
+    studio.selection.select_behavior(BehaviorKey("agent", "copy"))
+    qtbot.keyClick(panel.tree, Qt.Key.Key_D, CTRL)
+    assert [a.name for a in studio.document.project.library("agent").automata.values()].count("Goto 2") == 1
+    assert studio.document.project.library("agent").by_name("Copy 2") is None
+
+
+def test_what_is_named_otherwise_stays_in_sight_whatever_the_filter_says(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.keyClicks(panel.filter, "gather")
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
+    qtbot.keyClick(panel.tree, Qt.Key.Key_F2)
+    editor = panel.tree.findChild(QLineEdit)
+    assert isinstance(editor, QLineEdit)
+    editor.setText("Meet")
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: panel.tree.currentIndex().data() == "Meet(X)", timeout=PATIENCE)
+    assert panel.filter.text() == ""
+
+
 def test_delete_of_what_is_used_names_the_users_and_takes_a_replacement(
     panel: LibraryPanel, studio: Studio, qtbot: QtBot
 ) -> None:
