@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -78,6 +79,15 @@ def window(studio: Studio, qtbot: QtBot) -> Iterator[MainWindow]:
     window.resize(1440, 900)
     with qtbot.waitExposed(window):
         window.show()
+    with qtbot.waitSignal(_moment(window).timeout):  # in which docks take the sizes that they have at first
+        pass
     have_done_what_is_due()
     yield window
     window.hide()
+
+
+def _moment(owner: QObject) -> QTimer:
+    """A timer that comes after all that wait by now."""
+    timer = QTimer(owner, interval=0, singleShot=True)
+    timer.start()
+    return timer

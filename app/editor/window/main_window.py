@@ -118,6 +118,7 @@ class MainWindow(QMainWindow):
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
                 signal.connect(self._fold_titles)
             dock.topLevelChanged.connect(self._settle)
+            OwnKeys(dock)  # where it floats, it is a window by itself
         self.studio.actions.add(self._dock_rows())
 
     def _connect(self) -> None:
