@@ -104,24 +104,25 @@ class Group:
         return f"{self.type} · {self.kind}".upper()
 
 
-Used = Mapping[RowKey, list[Use]]
+Used = Mapping[RowKey, tuple[Use, ...]]
 
 
 class Surveyor:
     """Lists the behaviors of one project after another, working out again only what has changed.
 
-    Where examples were edited that is one row. Where an automaton was, all may be: it may use them.
+    What a row is made of is shared from one time to the next where it is equal, so that most rows are the very same.
     """
 
     def __init__(self) -> None:
         self._used: Remembered[str, Used] = Remembered()
+        self._users: dict[RowKey, tuple[Use, ...]] = {}
         self._ordered: Remembered[str, list[Automaton]] = Remembered()
         self._rows: Remembered[RowKey, Row] = Remembered()
 
     def survey(self, project: Project, types: Types, arm: Arm | None) -> tuple[Group, ...]:
         """All groups, those of the arm's types first."""
         made_of = project.libraries, project.types, project.arms
-        used = self._used.of("", made_of, lambda: _used_by(project))
+        used = self._used.of("", made_of, lambda: self._used_by(project))
         present = types_in(arm, project)
         ordered = sorted(project.types, key=lambda t: (t.name not in present, project.types.index(t)))
         groups = [
@@ -146,16 +147,28 @@ class Surveyor:
         basics = [self._basic(name, basic, kind, used) for basic in vocabulary.behaviors.values()]
         yield Group(name, kind, tuple(basics), current)
 
+    def _used_by(self, project: Project) -> Used:
+        """The users of every behavior; the same values as before where they are equal."""
+        before = self._users
+        found = {key: tuple(users) for key, users in _used_by(project).items()}
+        self._users = {
+            key: before[key] if before.get(key) == users else users for key, users in found.items()
+        }
+        return self._users
+
     def _row(
         self, project: Project, type_name: str, automaton: Automaton, vocabulary: Vocabulary, used: Used
     ) -> Row:
         key, examples = RowKey(type_name, automaton.id), project.examples_of(type_name, automaton.id)
-        made_of = automaton, examples, vocabulary, used
-        return self._rows.of(key, made_of, lambda: _row(project, key, automaton, vocabulary, used))
+        library, users = project.library(type_name), used.get(key, ())
+        held = tuple(library.automata.get(held) for held in automaton.nested())
+        made_of = automaton, examples, vocabulary.behaviors, users, *held
+        return self._rows.of(key, made_of, lambda: _row(project, key, automaton, vocabulary, users))
 
     def _basic(self, type_name: str, basic: BasicBehavior, kind: Kind, used: Used) -> Row:
         key = RowKey(type_name, name=basic.name)
-        return self._rows.of(key, (basic, kind, used), lambda: _basic(key, basic, kind, used))
+        users = used.get(key, ())
+        return self._rows.of(key, (basic, kind, users), lambda: _basic(key, basic, kind, users))
 
 
 def _vocabulary(types: Types, type_name: str) -> Vocabulary:
@@ -171,7 +184,9 @@ def _kind(automaton: Automaton, examples: Sequence[Example]) -> Kind:
     return Kind.AUTHORED if authored else Kind.LEARNED
 
 
-def _row(project: Project, key: RowKey, automaton: Automaton, vocabulary: Vocabulary, used: Used) -> Row:
+def _row(
+    project: Project, key: RowKey, automaton: Automaton, vocabulary: Vocabulary, users: tuple[Use, ...]
+) -> Row:
     examples = project.examples_of(key.type, key.id)
     enabled = sum(example.enabled for example in examples)
     return Row(
@@ -182,15 +197,14 @@ def _row(project: Project, key: RowKey, automaton: Automaton, vocabulary: Vocabu
         enabled,
         len(examples) - enabled,
         raises=raised_flags(automaton, vocabulary),
-        used_by=tuple(used.get(key, ())),
+        used_by=users,
         uses=tuple(_uses(project, key.type, automaton)),
         doc=automaton.note,
     )
 
 
-def _basic(key: RowKey, basic: BasicBehavior, kind: Kind, used: Used) -> Row:
+def _basic(key: RowKey, basic: BasicBehavior, kind: Kind, users: tuple[Use, ...]) -> Row:
     raises = (basic.raises,) if basic.raises else ()
-    users = tuple(used.get(key, ()))
     return Row(
         key,
         basic.name,
@@ -238,7 +252,7 @@ def from_the_top(library: Library) -> list[Automaton]:
 # ------------------------------------------------------------------------------------------- who uses whom
 
 
-def _used_by(project: Project) -> Used:
+def _used_by(project: Project) -> Mapping[RowKey, list[Use]]:
     """The users of every behavior: states, and arms that start with it."""
     found: dict[RowKey, list[Use]] = {}
     for node_type in project.types:
