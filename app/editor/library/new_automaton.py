@@ -27,16 +27,23 @@ UNNAMED = "Behavior"
 
 
 def new_automaton(studio: Studio, parent: QWidget, type_name: str = "") -> None:
-    """Ask for a new behavior, of the type of the one that is shown unless another is named."""
-    shown = studio.selection.behavior
+    """Ask for a new behavior, of the selected controller's type or of the one that is shown, unless one is named."""
     types = [node_type.name for node_type in studio.document.project.types]
     if not types:
         studio.warn(
             "a behavior belongs to a node type, and this project has none; add one in Arms and worlds"
         )
         return
-    wanted = type_name or (shown.type if shown is not None else types[0])
+    wanted = type_name or _usual_type(studio)
     NewAutomatonDialog(studio, wanted if wanted in types else types[0], parent).open()
+
+
+def _usual_type(studio: Studio) -> str:
+    """Whom a new behavior is probably for: the controller that is selected, else who has the behavior that is shown."""
+    snapshot, node_id, shown = studio.snapshot, studio.selection.node, studio.selection.behavior
+    if snapshot is not None and node_id in snapshot.place.rows and node_id not in snapshot.place.agents:
+        return snapshot.place.hierarchy.node(node_id).type
+    return "" if shown is None else shown.type
 
 
 class NewAutomatonDialog(QDialog):

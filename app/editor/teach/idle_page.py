@@ -8,9 +8,12 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from ...core.amounts import counted
+from .pupils import members
 from .target_row import TargetRow
 
 if TYPE_CHECKING:
+    from ...engine.snapshots import Snapshot
+    from ..selection import BehaviorKey
     from ..studio import Studio
 
 MOST_NAMED = 3
@@ -103,7 +106,15 @@ class IdlePage(QWidget):
         had = f" {automaton.name} has {counted(known, 'example')}." if known else ""
         open_ = " and ".join(teaching.open)
         first = f" First choose what {open_} is." if open_ else ""
-        return f"Teach {automaton.name} to {named}{more}.{first}{had} Others can be selected in the world."
+        return f"Teach {automaton.name} to {named}{more}.{first}{had} {self._others(snapshot, key)}"
+
+    def _others(self, snapshot: Snapshot, key: BehaviorKey) -> str:
+        """How others are taught, such as a node that is selected but runs no behavior of this type."""
+        node_id = self._studio.selection.node
+        if node_id not in snapshot.place.rows or node_id in members(snapshot.place.hierarchy, key.type):
+            return "Others can be selected in the world."
+        of = snapshot.place.hierarchy.node(node_id).type
+        return f"For {snapshot.place.called(node_id)} choose a behavior of type {of} in the library, or make one."
 
     def _file(self) -> None:
         self._studio.teaching.set_demonstration(self.filed.text())

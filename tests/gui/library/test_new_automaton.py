@@ -15,6 +15,7 @@ from app.editor.library.new_automaton import NewAutomatonDialog
 from app.editor.library.panel import LibraryPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
+from tests.gui.conftest import PATIENCE
 
 
 @pytest.fixture
@@ -174,3 +175,20 @@ def test_a_click_into_an_empty_chooser_shows_all_choices(dialog: NewAutomatonDia
     assert popup.isVisible()
     assert popup.model().rowCount() == chooser.count()
     popup.hide()
+
+
+def test_a_new_behavior_is_for_the_controller_that_is_selected(studio: Studio, qtbot: QtBot) -> None:
+    studio.use_arm("one level")
+    qtbot.waitUntil(
+        lambda: studio.snapshot is not None and studio.snapshot.arm == "one level", timeout=PATIENCE
+    )
+    panel = LibraryPanel(studio)
+    qtbot.addWidget(panel)
+    panel.show()
+    for node, kind in (("group-2", "group"), ("agent-2", "agent")):
+        studio.selection.select_nodes([node])
+        studio.actions["behavior.new"].trigger()
+        (dialog,) = (d for d in panel.findChildren(NewAutomatonDialog) if d.isVisible())
+        assert dialog.general.types.currentText() == kind
+        dialog.reject()
+    panel.hide()

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
@@ -11,12 +11,15 @@ from app.core.examples import Example
 from app.editor.selection import BehaviorKey
 from app.editor.teach.lesson_page import LessonPage
 from app.editor.teach.panel import TeachPanel
+from app.editor.teach.target_row import TargetRow
 from app.editor.window.main_window import MainWindow
 from app.engine.snapshots import LessonView, Mode, Snapshot
 from tests.gui.conftest import PATIENCE
 
 SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
+#: Milliseconds between two looks whether a menu is open.
+POLL = 5
 
 
 class Hand:
@@ -146,6 +149,25 @@ class Hand:
         self.click(self.page.add)
         self.qtbot.keyClicks(self.page.list.search, name)
         self.act(lambda: self.qtbot.keyClick(self.page.list.search, Qt.Key.Key_Return))
+
+    def choose_target(self, row: TargetRow, slot: str, target: str) -> None:
+        """Click the button of a slot, and in the menu that opens what says *target*."""
+
+        def is_there() -> bool:
+            return row.menus[slot].isVisible()  # looked up anew: the row may have been laid out again
+
+        def choose() -> None:
+            menu = button.menu()
+            if not menu.isVisible():
+                QTimer.singleShot(POLL, choose)
+                return
+            action = next(action for action in menu.actions() if action.objectName() == target)
+            self.qtbot.mouseClick(menu, LEFT, pos=menu.actionGeometry(action).center())
+
+        self.wait(is_there)
+        button = row.menus[slot]
+        QTimer.singleShot(POLL, choose)  # an open menu waits inside the click that opened it
+        self.click(button)
 
     def hold(self, ticks: int) -> None:
         """Hold the key that passes single ticks until so many have passed."""

@@ -38,10 +38,8 @@ class Teacher(Hand):
         (dialog,) = (d for d in self.window.findChildren(NewAutomatonDialog) if d.isVisible())
         dialog.activateWindow()  # as a window manager does
         self.wait(dialog.isActiveWindow)
-        if type_name and dialog.general.types.currentText() != type_name:
-            dialog.general.types.setFocus()
-            while dialog.general.types.currentText() != type_name:
-                self.qtbot.keyClick(dialog.general.types, Qt.Key.Key_Down)
+        if type_name:
+            self._step_to(dialog.general.types, type_name)
         dialog.general.name.setFocus()
         dialog.general.name.selectAll()
         self.qtbot.keyClicks(dialog.general.name, name)

@@ -41,8 +41,8 @@ def open_in_window(studio: Studio, project: Project, qtbot: QtBot) -> Iterator[T
     window = MainWindow(studio)
     qtbot.addWidget(window)
     window.resize(1440, 900)
-    window.show()
-    qtbot.waitExposed(window)
+    with qtbot.waitExposed(window):
+        window.show()
     teacher = Teacher(window, qtbot)
     teacher.settle()
     yield teacher
@@ -239,18 +239,12 @@ def choose_target(person: Teacher, name: str, target: str) -> None:
     """Pick a behavior with a slot, and choose from the menu what that is."""
     choice = next(c for c in person.page.choices if c.name == name and c.slots)
     person.key(Qt.Key(ord(choice.key)))
-    person.act(lambda: from_menu(person.page.targets.menus[choice.slots[0]].menu(), target))
+    person.act(lambda: person.choose_target(person.page.targets, choice.slots[0], target))
 
 
 def bind_parameter(person: Teacher, target: str) -> None:
     """Choose from the menu what X is, before a lesson."""
-    from_menu(person.panel.idle.targets.menus["X"].menu(), target)
-
-
-def from_menu(menu: object, target: str) -> None:
-    """Trigger the entry of a menu that says *target*."""
-    menu.aboutToShow.emit()  # type: ignore[attr-defined]
-    next(action for action in menu.actions() if action.objectName() == target).trigger()  # type: ignore[attr-defined]
+    person.choose_target(person.panel.idle.targets, "X", target)
 
 
 def target_of(person: Teacher, name: str) -> int:

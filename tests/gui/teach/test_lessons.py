@@ -14,10 +14,7 @@ def test_an_open_parameter_is_asked_for_and_choosing_it_begins_the_lesson(hand: 
     choosing = hand.studio.teaching.choosing
     assert choosing.wanted == "X"
     assert hand.studio.mode is Mode.RUNNING
-    menu = hand.panel.idle.targets.menus["X"].menu()
-    menu.aboutToShow.emit()
-    deposit = next(action for action in menu.actions() if action.objectName() == "deposit")
-    deposit.trigger()
+    hand.choose_target(hand.panel.idle.targets, "X", "deposit")
     hand.wait(lambda: hand.studio.mode is Mode.TEACHING)
     assert hand.lesson.plan.arguments == {"X": "deposit"}
     assert hand.page.targets.menus["X"].text() == "deposit"
@@ -128,3 +125,16 @@ def test_teaching_the_same_again_changes_nothing(hand: Hand) -> None:
     hand.settle()
     assert hand.studio.teaching.state == "forward"
     assert hand.acts == 1
+
+
+def test_for_a_selected_node_of_another_type_it_says_whose_behavior_to_choose(hand: Hand) -> None:
+    hand.studio.use_arm("one level")
+    hand.wait(lambda: hand.snapshot.arm == "one level")
+    hand.show("Wander", "group-3")
+    assert hand.panel.idle.words.text().endswith(
+        "For Group 3 choose a behavior of type group in the library, or make one."
+    )
+    hand.show("ControlForage", "group-3", type_name="group")
+    assert hand.panel.idle.words.text().startswith("Teach ControlForage to Group 3.")
+    hand.show("Wander", "agent-3")
+    assert hand.panel.idle.words.text().endswith("Others can be selected in the world.")
