@@ -102,6 +102,7 @@ class ReplaceDialog(QDialog):
         for part in (words, listed, self.chooser, buttons):
             column.addWidget(part)
         self.resize(520, 280)
+        self.chooser.setFocus()
 
     def _choices(self) -> list[Choice]:
         document, of = self._studio.document, self._behavior

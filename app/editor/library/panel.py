@@ -353,11 +353,22 @@ class LibraryPanel(QWidget):
         return super().eventFilter(watched, event)
 
     def _enter_tree(self) -> None:
-        """Enter in the filter goes to the first behavior that is left."""
-        first = self.shown.index(0, 0, self.shown.index(0, 0))
-        if first.isValid():
-            self._make_current(first)
+        """Enter in the filter goes to the first behavior that is called so, or else to the first that is left."""
+        found = list(self._found())
+        if found:
+            self._make_current(min(found, key=self._farness))
             self.tree.setFocus()
+
+    def _found(self) -> Iterator[QModelIndex]:
+        for at in range(self.shown.rowCount()):
+            group = self.shown.index(at, 0)
+            yield from (self.shown.index(row, 0, group) for row in range(self.shown.rowCount(group)))
+
+    def _farness(self, index: QModelIndex) -> int:
+        """How far the name of a behavior is from what the filter says."""
+        row, text = self._row(index), self.shown.text
+        name = "" if row is None else row.name.casefold()
+        return 0 if name == text else 1 if name.startswith(text) else 2 if text in name else 3
 
     def _words_of(self, row: Row) -> tuple[tuple[str, ...], tuple[str, ...]]:
         project = self._studio.document.project

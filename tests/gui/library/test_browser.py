@@ -186,6 +186,7 @@ def test_delete_of_what_is_used_names_the_users_and_takes_a_replacement(
     assert dialog is not None
     assert studio.document.automaton("agent", "wander") is not None
     assert not dialog.delete.isEnabled()
+    assert dialog.focusWidget() is dialog.chooser
     qtbot.keyClicks(dialog.chooser.field, "Forward")
     qtbot.keyClick(dialog.chooser.field, Qt.Key.Key_Return)
     qtbot.mouseClick(dialog.delete, Qt.MouseButton.LeftButton)
@@ -237,6 +238,15 @@ def test_enter_in_the_filter_goes_to_the_first_that_is_left(
     qtbot.keyClicks(panel.filter, "gather")
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
     assert studio.selection.behavior == BehaviorKey("agent", "gather-at")
+
+
+def test_enter_in_the_filter_goes_to_the_one_of_that_name_before_others_that_hold_it(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    qtbot.keyClicks(panel.filter, "wander")
+    assert shown(panel)[0] == "Forage"  # it has a state that is called so
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
+    assert studio.selection.behavior == BehaviorKey("agent", "wander")
 
 
 def test_a_click_on_the_badge_lists_the_users_and_jumps(
