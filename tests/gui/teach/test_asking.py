@@ -3,15 +3,15 @@
 from math import inf
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import add_automaton, add_feature
-from app.core.features import Sense
+from app.core.features import Ground, Sense
 from app.editor.teach.ask_control import AskControl
 from app.editor.window.main_window import MainWindow
 from app.engine.snapshots import Asked, Mode
-from tests.gui.teach.hand import Hand
+from tests.gui.teach.hand import LEFT, POLL, Hand
 
 
 @pytest.fixture
@@ -136,3 +136,51 @@ def test_the_node_that_asks_does_not_become_the_only_one_that_is_asked_about(
         unsure.click(unsure.panel.question.let_go)
         wait_for_another(unsure, asked)
     assert asking == {"agent-3", "agent-4"}
+
+
+def test_far_from_all_examples_it_asks_and_an_answer_makes_that_familiar(hand: Hand) -> None:
+    document = hand.studio.document
+    new_id = document.do(add_automaton, "agent", "Roam")
+    document.do(add_feature, "agent", new_id, Sense("DistanceTo", {"target": Ground("deposit")}))
+    hand.teach("Roam", "agent-3")
+    for name in ("Forward", "RotateLeft", "Forward"):  # at last it goes on forward, farther than taught
+        hand.pick(name)
+        hand.hold(4)
+    ask_beyond(hand, "1.5")
+    hand.test()
+    hand.key(Qt.Key.Key_Space)
+    wait_for_question(hand)
+    asked = hand.snapshot.asked
+    assert asked is not None
+    assert asked.distance > 1.5
+    assert hand.panel.question.words.text().startswith("Agent 3 has seen nothing like this; it would do: ")
+    known = len(hand.examples)
+    hand.act(lambda: hand.click(hand.panel.question.buttons[0]))
+    assert len(hand.examples) > known
+    assert hand.studio.mode is Mode.TESTING
+    assert hand.snapshot.asked is None or hand.snapshot.asked.values != asked.values
+
+
+def ask_beyond(hand: Hand, distance: str) -> None:
+    """Ask by distance alone, as set in the menu beside the switch."""
+    ask = control(hand.window)
+
+    def choose() -> None:
+        if not ask.more.menu().isVisible():
+            QTimer.singleShot(POLL, choose)
+            return
+        for box in (ask.unsure, ask.unknown):
+            hand.qtbot.mouseClick(box, LEFT, pos=QPoint(8, box.height() // 2))
+        ask.beyond.setFocus()
+        ask.beyond.selectAll()
+        hand.qtbot.keyClicks(ask.beyond, distance)
+        hand.qtbot.keyClick(ask.beyond, Qt.Key.Key_Tab)
+        hand.qtbot.keyClick(ask.more.menu(), Qt.Key.Key_Escape)
+
+    QTimer.singleShot(POLL, choose)  # an open menu waits inside the click that opened it
+    hand.click(ask.more)
+    hand.window.activateWindow()  # as a window manager does when a menu closes
+    hand.wait(hand.window.isActiveWindow)
+    assert not ask.more.menu().isVisible()
+    assert (ask.unsure.isChecked(), ask.unknown.isChecked()) == (False, True)
+    hand.act(lambda: hand.click(ask.switch))
