@@ -24,7 +24,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Seconds that a thread gets to end by itself once the test that started it is over.
-GRACE = 2.0
+GRACE = 20.0
 
 FOLDER_MARKERS = {"gui": pytest.mark.gui, "bench": pytest.mark.bench}
 

@@ -96,7 +96,7 @@ class EngineThread:
             events, self._outbox = self._outbox, []
             return events
 
-    def wait_for(self, ready: Callable[[Snapshot], bool], timeout: float = 10.0) -> Snapshot:
+    def wait_for(self, ready: Callable[[Snapshot], bool], timeout: float = 60.0) -> Snapshot:
         """Wait for a snapshot that is *ready*; the first may still have to come.
 
         Raises:

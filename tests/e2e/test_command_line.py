@@ -39,7 +39,7 @@ def understudy(
         text=True,
         env=environment(**more),
         cwd=cwd,
-        timeout=120,
+        timeout=3000,
         check=False,
     )
 
@@ -59,7 +59,7 @@ def imported_by(*arguments: str) -> set[str]:
         "print(*{name.split('.')[0] for name in sys.modules}, file=sys.stderr)"
     )
     started = [sys.executable, "-P", "-c", code, *arguments]
-    done = subprocess.run(started, capture_output=True, text=True, env=environment(), timeout=60, check=True)
+    done = subprocess.run(started, capture_output=True, text=True, env=environment(), timeout=300, check=True)
     return set(done.stderr.split())
 
 
@@ -180,7 +180,7 @@ def running(boxes: Path, engine: str) -> Iterator[tuple[subprocess.Popen[bytes],
     os.close(theirs)
     with os.fdopen(ours, "rb", buffering=0) as terminal:
         yield started, terminal
-    started.wait(timeout=60)
+    started.wait(timeout=300)
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from app.editor.palette import LIGHT
 ROOT = Path(__file__).parents[2]
 NEEDED = ("Xvfb", "xdotool")
 #: Seconds that anything may take on a busy machine.
-PATIENCE = 90.0
+PATIENCE = 300.0
 
 pytestmark = [
     pytest.mark.slow,
@@ -55,7 +55,7 @@ class Screen:
             env=self.environment,
             capture_output=True,
             text=True,
-            timeout=30,
+            timeout=PATIENCE,
             check=False,
         )
         return done.stdout.strip()
@@ -75,7 +75,7 @@ class Screen:
         """What the screen shows."""
         path = self._folder / "screen.png"
         subprocess.run(
-            [sys.executable, "-c", PICTURE, str(path)], env=self.environment, timeout=30, check=True
+            [sys.executable, "-c", PICTURE, str(path)], env=self.environment, timeout=PATIENCE, check=True
         )
         return QImage(str(path))
 
@@ -126,6 +126,7 @@ def test_run_opens_the_studio_on_the_foraging_project_and_it_answers_keys_and_cl
         assert len(colors(still)) > 20  # agents, boxes, words: not an empty page
         # The window takes the keys once it was clicked.
         screen.do("mousemove", "720", "300", "click", "1")
+        screen.wait_for(lambda: "Understudy" in screen.do("getwindowfocus", "getwindowname"))
         screen.do("key", "space")
         screen.wait_for(lambda: _differs(still, screen.picture()))
         screen.do("key", "ctrl+k")

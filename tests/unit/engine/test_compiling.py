@@ -60,7 +60,7 @@ def test_a_world_goes_on_uncompiled_and_moves_to_the_kernel_when_it_is_there(tmp
         thread.send(Teach("agent", "Shuttle", ("agent-1",), others=Others.RUN))
         thread.send(Pick("agent-1", "up"))
         thread.wait_for(lambda s: s.tick > snapshot.tick)  # they do not wait for the kernel
-        moved = thread.wait_for(lambda s: s.engine == "compiled", timeout=120.0)
+        moved = thread.wait_for(lambda s: s.engine == "compiled", timeout=600.0)
         assert moved.notice == ""
         assert moved.lesson is not None
         thread.send(Pick("agent-1", "down"))

@@ -17,7 +17,7 @@ from app.learner.trainer import Learned, learn
 from tests.corridor import corridor
 from tests.driver import Driver
 
-PATIENCE = 10.0
+PATIENCE = 60.0
 
 
 def question(automaton: str = "Shuttle", revision: int = 1) -> Question:

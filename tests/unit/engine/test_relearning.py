@@ -28,7 +28,7 @@ from tests.corridor import corridor
 from tests.driver import Driver
 from tests.samples import AGENT, GROUP
 
-PATIENCE = 10.0
+PATIENCE = 60.0
 SHUTTLE = (AGENT, "Shuttle")
 LEAD = (GROUP, "Lead")
 
