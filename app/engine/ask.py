@@ -7,8 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isnan
 
+import numpy as np
+
 from ..core.actor import Actor, Run
 from ..core.automaton import Automaton
+from ..core.certainty import least_certainty
 from ..core.errors import SessionError, UnderstudyError
 from ..core.examples import Example
 from ..core.library import Library
@@ -16,11 +19,12 @@ from ..core.machine import Machine, Senses
 from ..core.project import Project
 from ..core.vocabulary import Vocabulary
 from ..core.wording import node_words, reading_words, state_words
+from ..sim.doing import Doing
 from ..sim.engine import Engine
-from .commands import AskMe
+from .commands import AskMe, Teach
 from .familiar import Familiar, Nearest
 from .lesson import Lesson
-from .plan import is_taught_one
+from .plan import automaton_of, is_taught_one
 from .recording import seen
 from .snapshots import Asked
 from .watching import totals
@@ -67,6 +71,7 @@ class Asking:
         self._vocabulary = vocabulary
         self._let_go: set[Matter] = set()
         self._known: tuple[Automaton, Sequence[Example], Familiar] | None = None
+        self._doubts: tuple[Automaton, float, frozenset[str]] | None = None
 
     def wish(self, command: AskMe) -> None:
         """Ask by this from now on.
@@ -81,9 +86,9 @@ class Asking:
         off = not command.nodes or (command.below is None and command.beyond is None)
         self.command = None if off else command
 
-    def looks_at(self, lesson: Lesson) -> bool:
+    def looks_at(self, engine: Engine, lesson: Lesson) -> bool:
         """Whether anything may be asked in the coming ticks of a lesson."""
-        return self.command is not None and lesson.testing
+        return self.command is not None and lesson.testing and self._in_doubt(engine, lesson) != frozenset()
 
     def begin(self) -> None:
         """A test begins: nothing has been settled."""
@@ -103,7 +108,8 @@ class Asking:
         """
         if self.command is None or not lesson.testing:
             return None
-        for look in _looks(engine, lesson, self.command.nodes if nodes is None else nodes):
+        wanted = self.command.nodes if nodes is None else nodes
+        for look in _looks(engine, lesson, wanted, self._in_doubt(engine, lesson)):
             if look.matter not in self._let_go:
                 try:
                     asked = self._doubt(look, lesson, project)
@@ -137,6 +143,22 @@ class Asking:
             nearest.distance,
         )
 
+    def _in_doubt(self, engine: Engine, lesson: Lesson) -> frozenset[str] | None:
+        """The states in which something may have to be asked; None if that depends on more than the state."""
+        command = self.command
+        if command is None or command.below is None or command.beyond is not None:
+            return None
+        machine, _ = engine.watch(())
+        automaton = automaton_of(machine, lesson.plan)
+        if self._doubts is None or self._doubts[0] is not automaton or self._doubts[1] != command.below:
+            kind, below = lesson.plan.type, command.below
+            models = {state.id: machine.classifiers(kind, automaton, state.id) for state in automaton.states}
+            unsure = (
+                state for state, model in models.items() if least_certainty(automaton, state, model) < below
+            )
+            self._doubts = automaton, below, frozenset(unsure)
+        return self._doubts[2]
+
     def _familiar(self, automaton: Automaton, lesson: Lesson, project: Project) -> Familiar:
         """The examples to compare with, looked at once as long as they stay the same."""
         examples = project.examples_of(lesson.plan.type, lesson.plan.automaton)
@@ -145,8 +167,16 @@ class Asking:
         return self._known[2]
 
 
-def _looks(engine: Engine, lesson: Lesson, nodes: Sequence[str]) -> Iterator[_Look]:
-    """What those of the nodes are about to decide that do so by themselves, as far as that can be told."""
+def _looks(
+    engine: Engine, lesson: Lesson, nodes: Sequence[str], states: frozenset[str] | None = None
+) -> Iterator[_Look]:
+    """What those of the nodes are about to decide that do so by themselves, as far as that can be told.
+
+    Args:
+        states: Of nodes in these states only; None looks at all.
+    """
+    if states is not None and engine.compiled:
+        nodes = _nodes_in(engine.doing(), lesson.plan, states, nodes)
     deciding = [node_id for node_id in nodes if lesson.decides(node_id)]
     if not deciding:
         return
@@ -156,12 +186,26 @@ def _looks(engine: Engine, lesson: Lesson, nodes: Sequence[str]) -> Iterator[_Lo
         run = actor.run
         if run is None or not isinstance(run.behavior, Automaton) or not is_taught_one(run, lesson.plan):
             continue
+        if states is not None and run.state not in states:
+            continue
         try:
             outcome = machine.outcome(actor, run, senses)
         except UnderstudyError:
             continue  # the tick itself will say what is wrong
         ranked = tuple(sorted(totals(outcome), key=lambda pair: -pair[1]))
         yield _Look(machine, senses, actor, run, run.behavior, ranked, outcome.key)
+
+
+def _nodes_in(doing: Doing, plan: Teach, states: frozenset[str], nodes: Sequence[str]) -> Sequence[str]:
+    """Those of the nodes that are in one of the states of what is taught."""
+    wanted = [
+        ref.type == plan.type and ref.automaton == plan.automaton and ref.state in states
+        for ref in doing.states
+    ]
+    there = np.array([*wanted, False])[doing.state[:, 0]]  # the last for who is in none
+    if not there.any():
+        return ()
+    return [node_id for node_id in nodes if node_id in doing.rows and there[doing.rows[node_id]]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -154,7 +154,7 @@ class Course:
         lesson = self._lesson
         if lesson is None:
             self._step(ticks, UNOBSERVED)
-        elif not (self._answered or self._asking.looks_at(lesson)):
+        elif not (self._answered or self._asking.looks_at(self._world.engine, lesson)):
             self._step_lesson(lesson, ticks)
         else:
             while ticks and not self._ask_user(lesson):

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from app.core.project import Arm, LevelTable, Project
 from app.engine import departures
-from app.engine.commands import Others, Pick, ShouldNotHaveLeft, Teach, UndoPick
+from app.engine.ask import Asking
+from app.engine.commands import AskMe, LetGo, Others, Pick, ShouldNotHaveLeft, Teach, UndoPick
 from app.engine.commands import Test as LearnAndTest
 from app.engine.session import Session
 from app.engine.snapshots import Mode
@@ -93,6 +94,32 @@ def compare(seed: int, taught: tuple[str, str, str, str], others: Others) -> Non
         assert found.snapshot().mode is Mode.TESTING
         assert found.events() == wanted.events()
     assert pair[1].session.project == pair[0].session.project
+
+
+@settings(max_examples=25)
+@given(SEEDS, st.sampled_from(TAUGHT), st.sampled_from((0.45, 0.6, 1.0)))
+def test_looking_only_where_a_state_may_be_in_doubt_asks_the_same(
+    seed: int, taught: tuple[str, str, str, str], below: float
+) -> None:
+    everywhere, there = (Mender(engine, taught, Others.RUN) for engine in ("reference", "compiled"))
+    random = Random(seed)
+    for mender in (everywhere, there):
+        mender.session.advance()
+        mender.session.send(AskMe(tuple(mender.nodes), below, None))
+    for _ in range(12):
+        ticks, answers = random.choice((1, 3, 40)), random.random() < 0.3
+        with patch.object(Asking, "_in_doubt", lambda *_: None):
+            answer(everywhere.session, ticks, taught[3], answers=answers)
+        answer(there.session, ticks, taught[3], answers=answers)
+        assert there.session.snapshot() == everywhere.session.snapshot()
+        assert there.session.events() == everywhere.session.events()
+
+
+def answer(session: Session, ticks: int, state: str, *, answers: bool) -> None:
+    """Let time pass; what is asked then is answered, or let go."""
+    asked = session.advance(ticks).asked
+    if asked is not None:
+        session.send(Pick(asked.node, state) if answers else LetGo())
 
 
 @settings(max_examples=20)
