@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QListWidgetItem,
 
 from ...core.errors import UnderstudyError
 from ...engine.experiments.report import measures_in, place, with_interval
-from .study import Kept, Study, kept_of
+from .study import Kept, Study
 from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
@@ -61,12 +61,10 @@ class ComparePage(QWidget):
             return
         study = self._window.load(name)
         if study is not None:
-            self._window.background.do(
-                lambda: kept_of(study), lambda kept: self._take(study, kept), self._failed
-            )
+            self._window.look_up(study, lambda kept: self._take(study, kept), self._failed)
 
     def _take(self, study: Study, kept: Kept | None) -> None:
-        if kept is None:
+        if kept is None or kept.found is None:
             self.told.setText(f"{study.declared.name} has not been run yet.")
             return
         self._found[study.declared.name] = kept.found

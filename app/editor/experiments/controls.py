@@ -92,6 +92,11 @@ class Controls(QWidget):
         if look.progress is not None:
             self.bar.setValue(round(1000 * look.progress.share))
 
+    def show_other(self, look: Look, study: Study) -> None:
+        """Show how far an experiment is that runs while another one is shown."""
+        self.show_look(look, study)
+        self.tell(f"{study.declared.name} is running: {words_of(look, study)}")
+
     def tell(self, words: str) -> None:
         """Say this below the buttons."""
         self.told.setText(words[:1].upper() + words[1:])

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 
 from ...core.errors import StorageError, UnderstudyError
 from ...engine.experiments.data import curves_csv, runs_csv
-from ...engine.experiments.fingerprint import fingerprint_of
 from ...engine.experiments.report import Files, markdown
-from ...engine.experiments.store import Results
 from ..documents.choosing import choose_file
 from ..drawing.curve_painting import painted
 from ..drawing.experiment_chart import chart_of
@@ -76,14 +74,11 @@ class Exporting:
 
     def write_data(self, path: Path) -> None:
         """Write a line a run, and the curves into a second file beside it."""
-        found, study = self._found(), self._study()
+        found, rows = self._found(), () if self._window.kept is None else tuple(self._window.kept.rows)
 
         def content() -> dict[Path, bytes]:
-            mark = fingerprint_of(study.project, study.scenario, study.experiment)
-            with Results.open(study.path, mark) as results:
-                runs = runs_csv(study.experiment, results)
             return {
-                path: runs.encode(),
+                path: runs_csv(found.experiment, rows).encode(),
                 path.with_name(f"{path.stem}-curves.csv"): curves_csv(found).encode(),
             }
 

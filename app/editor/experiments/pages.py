@@ -15,7 +15,7 @@ from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings
-    from .study import Study
+    from .study import Kept, Study
     from .window import ExperimentsWindow
 
 
@@ -71,12 +71,16 @@ class Pages(QTabWidget):
         panels = [panel.measure for panel in study.declared.panels if panel.measure in measures]
         self.measure.setCurrentText(panels[0] if panels else (measures[0] if measures else ""))
 
-    def show_found(self, found: Findings | None) -> None:
+    def show_kept(self, kept: Kept | None, study: Study | None) -> None:
         """Show what was found so far; pages in the back are filled when they are turned to."""
-        if found is None or found is not self.found:
-            self.found = found
-            self._fill()
-            self.exporting.refresh(found)
+        found = None if kept is None else kept.found
+        if found is not None and found is self.found:
+            return
+        self.found = found
+        self._fill()
+        self.exporting.refresh(found)
+        if study is not None:
+            self.runs.show_rows(study, () if kept is None else kept.rows)
 
     def _fill(self) -> None:
         """Fill the page in front."""

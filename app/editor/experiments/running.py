@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ...engine.experiments.laboratory import Look, Stage
 from ...engine.experiments.process import LaboratoryProcess
+from ...engine.experiments.store import Row
 from .study import Study
 
 #: Milliseconds between two looks.
@@ -41,6 +44,15 @@ class Running(QObject):
     def is_on(self) -> bool:
         """Whether an experiment is under way, paused ones included."""
         return self._laboratory is not None and not self._laboratory.newest.is_over
+
+    @property
+    def rows(self) -> Sequence[Row]:
+        """The runs that are kept so far."""
+        return () if self._laboratory is None else self._laboratory.rows
+
+    def holds(self, study: Study) -> bool:
+        """Whether the results of *study* are being written to."""
+        return self.is_on and self.study is not None and self.study.path == study.path
 
     def begin(self, study: Study, jobs: int) -> None:
         """Begin, or go on where the results end."""

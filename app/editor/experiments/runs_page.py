@@ -6,17 +6,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
-from ...core.amounts import number
 from ...core.errors import UnderstudyError
 from ...engine.commands import GoTo, Reset
 from ...engine.experiments.store import Row
 from ...engine.experiments.treatments import Ready, Treatments, sorted_settings
 from ..documents.asking import Answer, Question
 from ..number_box import roomy
+from .runs_table import RunsTable
 from .study import Study
-from .tables import TextTable, table_view
+from .tables import table_view
 
 if TYPE_CHECKING:
     from .window import ExperimentsWindow
@@ -29,9 +30,12 @@ class RunsPage(QWidget):
         super().__init__()
         self._window = window
         self._study: Study | None = None
-        self._rows: Sequence[Row] = ()
-        self.model = TextTable()
+        self.model = RunsTable()
         self.table = table_view(self.model, "runs")
+        header = self.table.horizontalHeader()
+        header.setSortIndicatorClearable(True)
+        header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
+        self.table.setSortingEnabled(True)
         self.tick = roomy(QSpinBox())
         self.tick.setToolTip("The tick to open the world at")
         self.tick.setAccessibleName("tick")
@@ -57,31 +61,17 @@ class RunsPage(QWidget):
 
     def show_rows(self, study: Study, rows: Sequence[Row]) -> None:
         """Show the runs of a study."""
-        self._study, self._rows = study, rows
-        cells = study.experiment.cells()
-        measures = sorted({name for row in rows for name in row.measures})
-        self.model.show(
-            ["arm", "run", "seed", *measures, "stalled", "seconds"],
-            [
-                [
-                    cells[row.cell].name,
-                    str(row.run + 1),
-                    str(row.seed),
-                    *(number(row.measures[name]) if name in row.measures else "" for name in measures),
-                    "yes" if row.stalled else "",
-                    f"{row.seconds:.2f}",
-                ]
-                for row in rows
-            ],
-        )
-        self.tick.setRange(0, study.experiment.ticks)
-        self.tick.setValue(study.experiment.ticks)
+        if self._study is None or self._study.path != study.path:
+            self.tick.setRange(0, study.experiment.ticks)
+            self.tick.setValue(study.experiment.ticks)
+        self._study = study
+        self.model.show(study.experiment, rows)
 
     @property
     def chosen(self) -> Row | None:
         """The run that is selected."""
         rows = self.table.selectionModel().selectedRows()
-        return self._rows[rows[0].row()] if rows and rows[0].row() < len(self._rows) else None
+        return self.model.rows[rows[0].row()] if rows else None
 
     def _refresh(self) -> None:
         self.open_button.setEnabled(self.chosen is not None)

@@ -61,10 +61,11 @@ class Kept:
     """What the results of a study hold.
 
     Attributes:
-        rows: Every run, cell by cell, without its curves being looked at.
+        found: None if nothing has been summed up yet.
+        rows: Every run, without its curves.
     """
 
-    found: Findings
+    found: Findings | None
     rows: Sequence[Row]
 
 
@@ -96,11 +97,7 @@ def kept_of(study: Study) -> Kept | None:
     mark = fingerprint_of(study.project, study.scenario, study.experiment)
     with Results.open(study.path, mark) as results:
         found = findings(study.experiment, list(study.scenario.measures), results)
-        rows = [
-            row
-            for cell in study.experiment.cells()
-            for row in results.rows(cell.number, study.experiment.runs)
-        ]
+        rows = results.outlines(len(study.experiment.cells()), study.experiment.runs)
     return Kept(found, rows)
 
 

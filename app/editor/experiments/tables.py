@@ -85,7 +85,7 @@ class _Table(QTableView):
         _narrow(self)
 
 
-def table_view(model: TextTable, name: str) -> QTableView:
+def table_view(model: QAbstractTableModel, name: str) -> QTableView:
     """A quiet table in which rows can be selected."""
     view = _Table()
     view.setModel(model)
@@ -102,6 +102,7 @@ def table_view(model: TextTable, name: str) -> QTableView:
     header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
     model.modelReset.connect(lambda: _fit(view))
     model.dataChanged.connect(lambda *_: _fit(view, grow=True))
+    model.rowsInserted.connect(lambda _, first, __: None if first else _fit(view))
     return view
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -135,10 +136,17 @@ class ExperimentsWindow(QWidget):
         name = self.listing.current
         self.kept = None
         self.controls.tell("")
-        self.study = self.load(name) if name else None
+        self.study = self._study_called(name)
         self._show_study()
         if self.study is not None:
             self._read()
+
+    def _study_called(self, name: str) -> Study | None:
+        """The experiment *name*; one that runs as it was begun."""
+        under_way = self.running.study if self.running.is_on else None
+        if under_way is not None and under_way.declared.name == name:
+            return under_way
+        return self.load(name) if name else None
 
     def _show_study(self) -> None:
         study = self.study
@@ -151,7 +159,7 @@ class ExperimentsWindow(QWidget):
             self.note.setText(study.declared.note)
             self.controls.show_study(study)
             self.pages.offer_measures(study)
-        self.pages.show_found(None)
+        self.pages.show_kept(None, study)
         self._refresh_buttons()
 
     def _refresh_buttons(self) -> None:
@@ -181,10 +189,14 @@ class ExperimentsWindow(QWidget):
             return
         if self.study is not None and study.declared.name == self.study.declared.name:
             self.controls.show_look(look, study)
-            if look.found is not None:
-                self.pages.show_found(look.found)
             if look.is_over:
                 self._read()
+            else:
+                self._show_kept(Kept(look.found, self.running.rows), study)
+        elif look.is_over:
+            self._read()
+        else:
+            self.controls.show_other(look, study)
         if look.is_over:
             self._end(look, study)
 
@@ -222,7 +234,7 @@ class ExperimentsWindow(QWidget):
     def _read(self) -> None:
         """Read what is there of the experiment that is shown."""
         study = self.study
-        if study is None or self.running.is_on:
+        if study is None:
             return
 
         def read(kept: Kept | None) -> None:
@@ -234,12 +246,24 @@ class ExperimentsWindow(QWidget):
                 self.controls.tell(_why_unread(error))
                 self.pages.runs.show_rows(study, ())
 
-        self.background.do(lambda: kept_of(study), read, failed)
+        self.look_up(study, read, failed)
+
+    def look_up(
+        self,
+        study: Study,
+        found: Callable[[Kept | None], object],
+        failed: Callable[[UnderstudyError], object],
+    ) -> None:
+        """Find what there is of a study: in its file, or, while that is written to, at whoever writes."""
+        look = self.running.look
+        if self.running.holds(study) and look is not None:
+            found(Kept(look.found, self.running.rows))
+        else:
+            self.background.do(lambda: kept_of(study), found, failed)
 
     def _show_kept(self, kept: Kept | None, study: Study) -> None:
         self.kept = kept
-        self.pages.show_found(None if kept is None else kept.found)
-        self.pages.runs.show_rows(study, () if kept is None else kept.rows)
+        self.pages.show_kept(kept, study)
         if not self.running.is_on and (self.running.look is None or self.running.study is not study):
             self.controls.tell(standing(kept, study))
 

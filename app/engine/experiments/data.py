@@ -2,17 +2,17 @@
 
 import csv
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from .findings import Findings
 from .plan import Experiment
-from .store import Results
+from .store import Row
 
 
-def runs_csv(experiment: Experiment, results: Results) -> str:
+def runs_csv(experiment: Experiment, made: Iterable[Row]) -> str:
     """Every run that has been made: arm, levels, seed, measures, and whether it stalled."""
     factors = [factor.name for factor in experiment.factors]
-    rows = list(_runs(experiment, results))
+    rows = list(_runs(experiment, made))
     measures = sorted({name for _, _, found in rows for name in found})
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -23,14 +23,15 @@ def runs_csv(experiment: Experiment, results: Results) -> str:
 
 
 def _runs(
-    experiment: Experiment, results: Results
+    experiment: Experiment, made: Iterable[Row]
 ) -> Iterator[tuple[list[object], list[object], dict[str, float]]]:
-    for cell in experiment.cells():
+    cells = experiment.cells()
+    for row in sorted(made, key=lambda row: (row.cell, row.run)):
+        cell = cells[row.cell]
         levels = [cell.levels[factor.name] for factor in experiment.factors]
-        for row in results.rows(cell.number, experiment.runs):
-            before: list[object] = [cell.arm, *levels, row.run, row.seed, experiment.ticks]
-            after: list[object] = [int(row.stalled), row.agent_ticks, f"{row.seconds:.6f}"]
-            yield before, after, dict(row.measures)
+        before: list[object] = [cell.arm, *levels, row.run, row.seed, experiment.ticks]
+        after: list[object] = [int(row.stalled), row.agent_ticks, f"{row.seconds:.6f}"]
+        yield before, after, dict(row.measures)
 
 
 def curves_csv(found: Findings) -> str:

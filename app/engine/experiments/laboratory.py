@@ -15,7 +15,7 @@ from .findings import Findings, findings
 from .fingerprint import fingerprint_of
 from .plan import Experiment
 from .runner import Controls, Progress, carry_out
-from .store import Results
+from .store import Results, Row
 
 #: Seconds between two summings-up at least; and they take at most this share of the time.
 BETWEEN, SHARE = 0.5, 0.1
@@ -62,6 +62,7 @@ class Laboratory:
     Attributes:
         experiment: What is carried out.
         path: Where its results are kept.
+        rows: All runs that are kept, without their curves, as they came; only ever added to.
     """
 
     def __init__(
@@ -83,6 +84,7 @@ class Laboratory:
         self._controls = Controls()
         self._lock = Lock()
         self._newest = Look(Stage.BEGINNING)
+        self.rows: list[Row] = []
         self._sum_up_at = clock()
         self._thread = Thread(target=self._work, name="laboratory", daemon=True)
         self._thread.start()
@@ -134,6 +136,8 @@ class Laboratory:
             refuse(self._project, self._scenario.vocabulary, name)
         mark = fingerprint_of(self._project, self._scenario, self.experiment)
         with Results.open(self.path, mark) as results:
+            results.added = lambda row: self.rows.append(row.outline())
+            self.rows += results.outlines(len(self.experiment.cells()), self.experiment.runs)
             self._sum_up(results)
             finished = carry_out(
                 self._project,

@@ -13,6 +13,7 @@ from ..scenarios import found_again, whereabouts
 from .fingerprint import fingerprint_of_scenario
 from .laboratory import Laboratory, Look
 from .plan import Experiment
+from .store import Row
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +67,12 @@ class Told:
 
     Attributes:
         as_before: What was found is the same as in the look before, and left out.
+        rows: The runs that have been added since then.
     """
 
     look: Look
     as_before: bool = False
+    rows: tuple[Row, ...] = ()
 
 
 def tell(stream: IO[bytes], told: Any) -> None:

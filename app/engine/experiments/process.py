@@ -21,6 +21,7 @@ from ..children import environment, python
 from .laboratory import Look, Stage
 from .order import Order, Told, Word, heard, tell
 from .plan import Experiment
+from .store import Row
 
 _CHILD = f"{__package__}.run_laboratory"
 
@@ -30,6 +31,7 @@ class LaboratoryProcess:
 
     Attributes:
         experiment: What is carried out.
+        rows: All runs that are kept, without their curves, as they came; only ever added to.
     """
 
     def __init__(
@@ -38,6 +40,7 @@ class LaboratoryProcess:
         """Begin, or go on where the results in *path* end."""
         self.experiment = experiment
         self._order: Callable[[], Order] = lambda: Order.of(project, scenario, experiment, path, jobs)
+        self.rows: list[Row] = []
         self._newest = Look(Stage.BEGINNING)
         self._lock = Lock()
         self._process: subprocess.Popen[bytes] | None = None
@@ -143,6 +146,7 @@ class LaboratoryProcess:
         """Take over every look until it is over."""
         while not self._newest.is_over:
             told: Told = heard(looks)
+            self.rows += told.rows
             with self._lock:
                 found = self._newest.found if told.as_before else told.look.found
                 self._newest = self._as_asked(replace(told.look, found=found))

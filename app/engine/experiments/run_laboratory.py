@@ -7,6 +7,7 @@ program that started it is gone it ends at once: a run is in the results in full
 import os
 import signal
 import sys
+from dataclasses import replace
 from threading import Thread
 from typing import IO
 
@@ -58,11 +59,13 @@ def _heed(orders: IO[bytes], laboratory: Laboratory) -> None:
 
 def _tell_until_over(looks: IO[bytes], laboratory: Laboratory) -> None:
     told: Look | None = None
+    rows = 0
     while told is None or not told.is_over:
         look = laboratory.newest
         if look is not told:
-            tell(looks, _shortened(look, told))
-            told = look
+            new = tuple(laboratory.rows[rows:])
+            tell(looks, replace(_shortened(look, told), rows=new))
+            told, rows = look, rows + len(new)
         laboratory.wait(GLANCE)
     laboratory.close()
 

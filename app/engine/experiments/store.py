@@ -6,9 +6,9 @@ of everything that the numbers depend on, part by part, so that a refusal can sa
 
 import json
 import sqlite3
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -65,12 +65,24 @@ class Row:
     agent_ticks: int
     seconds: float
 
+    def outline(self) -> "Row":
+        """The same without its curves."""
+        return replace(self, curves=_NO_CURVES)
+
+
+_NO_CURVES = np.zeros(0)
+
 
 class Results:
-    """An open results file; used by one thread."""
+    """An open results file; used by one thread.
+
+    Attributes:
+        added: Told of every row once it is kept.
+    """
 
     def __init__(self, path: Path, connection: sqlite3.Connection) -> None:
         self.path = path
+        self.added: Callable[[Row], None] = lambda _: None
         self._connection = connection
 
     @classmethod
@@ -120,6 +132,7 @@ class Results:
         )
         with _explained(self.path):
             self._connection.execute("INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?)", values)
+        self.added(row)
 
     def has(self, cell: int, run: int) -> bool:
         """Whether a run has been made."""
@@ -134,6 +147,16 @@ class Results:
                 "SELECT COUNT(*) FROM runs WHERE cell < ? AND run < ?", (cells, runs)
             )
             return int(found.fetchone()[0])
+
+    def outlines(self, cells: int, runs: int) -> list[Row]:
+        """The first *runs* of the first *cells* cells as far as they have been made, in order, without their curves."""
+        with _explained(self.path):
+            found = self._connection.execute(
+                "SELECT cell, run, seed, measures, stalled, x'', agent_ticks, seconds FROM runs "
+                "WHERE cell < ? AND run < ? ORDER BY cell, run",
+                (cells, runs),
+            )
+            return [_row(self.path, values) for values in found]
 
     def rows(self, cell: int, runs: int) -> Iterator[Row]:
         """The first *runs* of a cell as far as they have been made, in order, one at a time."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
@@ -91,6 +91,7 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     window.pages.setCurrentIndex(2)
     assert window.pages.claims.rowCount() > 0
     assert told(window, "Finished: 8 runs")
+    qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     before = made(window)
     look = window.running.look
     qtbot.mouseClick(window.controls.run, Qt.MouseButton.LeftButton)
@@ -134,11 +135,56 @@ def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finishe
     qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: told(window, "Paused at"), timeout=PATIENCE)
     assert window.controls.pause.text() == "Resume"
+    assert window.pages.runs.model.rowCount() > 0
     qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.mouseClick(window.controls.cancel, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not window.running.is_on, timeout=3 * PATIENCE)
-    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=PATIENCE)
-    assert window.controls.run.isEnabled()
+    qtbot.waitUntil(window.controls.run.isEnabled, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
+    assert len(made(window)) == window.pages.runs.model.rowCount() > 0
+
+
+def test_while_one_runs_others_are_looked_at_and_what_it_has_found_so_far_is_written(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, tmp_path: Path
+) -> None:
+    _, window = shown
+    small(window, "figure4", runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
+    window.listing.choose("figure3")
+    window.controls.ticks.setValue(2000)
+    window.controls.runs.setValue(5000)
+    window.begin()
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=3 * PATIENCE)
+    window.pages.exporting.write_data(tmp_path / "x.csv")
+    qtbot.waitUntil((tmp_path / "x-curves.csv").exists, timeout=PATIENCE)
+    assert len((tmp_path / "x.csv").read_text().splitlines()) > 1
+    window.listing.choose("figure4")
+    qtbot.waitUntil(lambda: told(window, "Figure3 is running"), timeout=PATIENCE)
+    window.controls.ticks.setValue(200)
+    window.listing.choose("figure3")
+    assert window.controls.ticks.value() == 2000
+    qtbot.waitUntil(lambda: told(window, "of 20,000 runs"), timeout=PATIENCE)
+
+
+def test_the_runs_are_sorted_by_what_they_came_to_and_the_chosen_one_stays_chosen(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    small(window, runs=3)
+    window.begin()
+    qtbot.waitUntil(lambda: finished(window) and not window.background.busy, timeout=3 * PATIENCE)
+    page = window.pages.runs
+    window.pages.setCurrentWidget(page)
+    page.table.selectRow(2)
+    chosen = page.chosen
+    assert chosen is not None
+    header = page.table.horizontalHeader()
+    seed = QPoint(header.sectionViewportPosition(2) + 10, header.height() // 2)
+    for descending in (False, True):
+        qtbot.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=seed)
+        seeds = [row.seed for row in page.model.rows]
+        assert seeds == sorted(seeds, reverse=descending)
+        assert page.chosen == chosen
 
 
 def test_an_experiment_is_built_by_hand_and_runs(
