@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
-from ...core.automaton import Automaton
 from ...core.errors import UnderstudyError
-from ...core.examples import Example
 from ...core.project import Project
 from ...core.tree import Forest, Tree
 from ...core.vocabulary import Vocabulary
@@ -17,6 +15,9 @@ from ...engine.worker import IsCancelled, Worker
 from ...learner.dataset import Dataset, columns_of, conflicts, datasets, sift
 from ...learner.prediction import predicted
 from ...learner.trainer import Key, fingerprint, refit
+
+#: Milliseconds without another change before anything is worked out, as with learning: what is learned changes it again.
+PATIENCE = 120
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +99,36 @@ def _trees(model: object) -> tuple[Tree, ...]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Known:
-    automaton: Automaton
-    examples: tuple[Example, ...]
+    made_of: tuple[object, ...]
     fit: Fit
 
     def holds(self, project: Project, key: Key) -> bool:
-        automaton = project.library(key[0]).automata.get(key[1])
-        return automaton is self.automaton and project.examples_of(*key) is self.examples
+        if key[1] not in project.library(key[0]).automata:
+            return False
+        made_of = _made_of(project, key)
+        return all(old is new for old, new in zip(self.made_of, made_of, strict=True))
+
+
+def _made_of(project: Project, key: Key) -> tuple[object, ...]:
+    """All that a fit depends on: not the automaton's name, nor how it is drawn or noted."""
+    automaton = project.library(key[0]).get(key[1])
+    return (
+        automaton.features,
+        automaton.states,
+        automaton.settings,
+        automaton.cuts,
+        automaton.learned,
+        automaton.learned_from,
+        project.examples_of(*key),
+    )
+
+
+def _keys(project: Project) -> list[Key]:
+    return [
+        (node_type.name, automaton_id)
+        for node_type in project.types
+        for automaton_id in project.library(node_type.name).automata
+    ]
 
 
 class Fits(QObject):
@@ -125,6 +149,9 @@ class Fits(QObject):
             self._work, lambda _question, _why: None, self._ready.emit, "fits"
         )
         self._ready.connect(self._take)
+        self._newest: tuple[Project, Vocabulary] | None = None
+        self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
+        self._soon.timeout.connect(self._ask)
 
     def of(self, key: Key) -> Fit | None:
         """What is known; it may be of a moment ago."""
@@ -133,21 +160,27 @@ class Fits(QObject):
 
     def follow(self, project: Project, scenario: Vocabulary) -> None:
         """Find out about all automata of which nothing is known as they are now."""
-        keys = [
-            (node_type.name, automaton_id)
-            for node_type in project.types
-            for automaton_id in project.library(node_type.name).automata
-        ]
-        for gone in self._known.keys() - set(keys):
+        self._newest = project, scenario
+        keys = set(_keys(project))
+        for gone in self._known.keys() - keys:
             del self._known[gone]
-        open_ones = tuple(
-            key for key in keys if key not in self._known or not self._known[key].holds(project, key)
-        )
-        if open_ones:
-            self._worker.ask((project, scenario, open_ones))
+        if self._unknown(project):
+            self._soon.start()
+        else:
+            self._soon.stop()
+
+    def _unknown(self, project: Project) -> tuple[Key, ...]:
+        known = self._known
+        return tuple(key for key in _keys(project) if key not in known or not known[key].holds(project, key))
+
+    def _ask(self) -> None:
+        if self._newest is not None:
+            project, scenario = self._newest
+            self._worker.ask((project, scenario, self._unknown(project)))
 
     def close(self) -> None:
         """End the thread."""
+        self._soon.stop()
         self._worker.close()
 
     def _work(self, question: tuple[Project, Vocabulary, tuple[Key, ...]], cancelled: IsCancelled) -> None:
@@ -155,9 +188,7 @@ class Fits(QObject):
         for key in keys:
             if cancelled():
                 return
-            automaton = project.library(key[0]).get(key[1])
-            fit = fit_of(project, scenario, key)
-            self._done.append((key, _Known(automaton, project.examples_of(*key), fit)))
+            self._done.append((key, _Known(_made_of(project, key), fit_of(project, scenario, key))))
             self._ready.emit()
 
     def _take(self) -> None:
@@ -165,6 +196,8 @@ class Fits(QObject):
         keys = []
         while self._done:
             key, known = self._done.popleft()
+            if self._newest is None or not known.holds(self._newest[0], key):
+                continue  # it has changed meanwhile, or changed back
             before = self._known.get(key)
             self._known[key] = known
             if before is None or before.fit != known.fit:
