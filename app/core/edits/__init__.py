@@ -28,6 +28,7 @@ from .behaviors import (
     set_settings,
 )
 from .calls import Caller, callers, users
+from .carrying import carry_states
 from .copying import Where, copy_states
 from .cuts import move_cut, remove_cut
 from .demonstrations import (
@@ -108,6 +109,7 @@ __all__ = [
     "author_learned",
     "bind_state",
     "callers",
+    "carry_states",
     "copy_states",
     "delete_arm",
     "delete_automaton",

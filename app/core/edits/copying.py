@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from ..automaton import START, Automaton, Rule
+from ..automaton import START, Automaton, Content, Rule
 from ..conditions import Guard
 from ..features import FeatureUse
 from ..naming import next_number
@@ -30,13 +30,21 @@ def copy_states(
     Raises:
         EditError: A state is missing, or holds an automaton that *into* may not hold.
     """
+    return copied_states(project, source, state_ids, into, {})
+
+
+def copied_states(
+    project: Project, source: Where, state_ids: Sequence[str], into: Where, contents: Mapping[str, Content]
+) -> tuple[Project, dict[str, str]]:
+    """The same, where some of the copies hold something else than their originals: *contents*, by the originals' ids."""
     original = find_automaton(project, *source)
     find_automaton(project, *into)
     refuse_states(original, state_ids)
     copies: dict[str, str] = {}
     for state in original.states:
         if state.id in state_ids and state.id != START:
-            project, copies[state.id] = add_state(project, *into, state.content, state.name, state.note)
+            content = contents.get(state.id, state.content)
+            project, copies[state.id] = add_state(project, *into, content, state.name, state.note)
     targets = {START: START} if source != into else {state.id: state.id for state in original.states}
     targets |= copies
     sources = {START: START, **copies} if START in state_ids else copies

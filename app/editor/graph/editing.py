@@ -6,14 +6,14 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...core.automaton import START, Basic, Content, Nested, RaiseFlag
+from ...core.automaton import START, Basic, Content, Nested
 from ...core.check.problem import Problem
 from ...core.edits import (
     add_prune,
     add_rule,
     add_state,
     author_learned,
-    copy_states,
+    carry_states,
     describe,
     move_states,
     remove_prune,
@@ -21,7 +21,7 @@ from ...core.edits import (
     remove_rules_of,
     remove_state,
 )
-from ...core.errors import EditError, UnderstudyError
+from ...core.errors import UnderstudyError
 from ...core.project import Position, Project
 from ...export.graph import Edge
 from . import clipboard
@@ -228,9 +228,9 @@ class GraphEditing:
         where = level.type, level.automaton.id
 
         def step(project: Project) -> tuple[Project, Mapping[str, str]]:
-            if source[0] != where[0]:
-                _refuse_foreign(project, source, ids, self._studio.document.vocabulary(where[0]).behaviors)
-            project, made = copy_states(project, source, ids, where)
+            project, made = carry_states(
+                project, self._studio.document.scenario.vocabulary, source, ids, where
+            )
             if source == where:
                 places = {new: _aside(level.base[old]) for old, new in made.items() if old in level.base}
                 project = move_states(project, *where, {**level.base, **places})
@@ -240,26 +240,13 @@ class GraphEditing:
             self._studio.warn("Start cannot be copied; there is one in every automaton")
             return []
         many = "a state" if len(ids) == 1 else f"{len(ids)} states"
+        before = self._studio.document.project.library(where[0]).automata
         made = self._push(f"Copy {many} into {level.automaton.name}", step)
+        after = self._studio.document.project.library(where[0]).automata
+        if came := [automaton.name for key, automaton in after.items() if key not in before]:
+            self._studio.say(f"{', '.join(came)} came along to {where[0]}, since the states hold it")
         return [(*level.path, new) for new in made.values()] if made else []
 
 
 def _aside(at: Position) -> Position:
     return at[0] + ASIDE, at[1] + ASIDE
-
-
-def _refuse_foreign(
-    project: Project, source: tuple[str, str], ids: Sequence[str], behaviors: Mapping[str, object]
-) -> None:
-    """Raise an `EditError` if states of another type hold what this type does not have."""
-    automaton = project.library(source[0]).automata.get(source[1])
-    for state in automaton.states if automaton is not None else ():
-        content = state.content
-        fits = isinstance(content, RaiseFlag) or (
-            isinstance(content, Basic) and content.behavior in behaviors
-        )
-        if state.id in ids and not fits and state.id != START:
-            raise EditError(
-                f"state {state.id!r} was copied from type {source[0]!r} and holds what this type does not have; "
-                f"between types, states that hold shared basic behaviors or flags can be copied"
-            )

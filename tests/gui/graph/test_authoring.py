@@ -5,7 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from app.core.automaton import START, Automaton, Basic, Nested, RaiseFlag
 from app.core.conditions import AtMost, Condition, Equals
-from app.core.edits import add_automaton
+from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.core.features import Ground, Parameter
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
@@ -221,6 +221,28 @@ def test_states_are_copied_into_another_automaton(author: Author, blank: Behavio
         ("wander", "return-with-box"),
         ("return-with-box", "wander"),
     ]
+
+
+def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
+    author: Author, blank: BehaviorKey, studio: Studio
+) -> None:
+    stroll = studio.document.do(duplicate_automaton, "agent", "wander", "Stroll")
+    top = studio.document.do(add_automaton, "agent", "Top")
+    for held in ("forage", stroll):
+        studio.document.do(add_state, "agent", top, Nested(held))
+    author.show(BehaviorKey("agent", top))
+    author.click(("forage",))
+    author.click(("stroll",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(blank)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert said.args[0].text == "Stroll came along to authored-agent, since the states hold it"
+    assert [state.content for state in automaton(author).states[1:]] == [Nested("forage"), Nested("stroll")]
+    assert len(studio.document.project.examples_of("authored-agent", "stroll")) == 10
+    studio.undo()
+    assert studio.document.automaton("authored-agent", "stroll") is None
 
 
 def test_what_was_learned_becomes_rules_and_back(author: Author, studio: Studio) -> None:
