@@ -224,6 +224,16 @@ QTabBar::tab {{ background: transparent; color: {colors.dim}; padding: 6px 10px;
     border-bottom: 2px solid transparent; }}
 QTabBar::tab:selected {{ color: {colors.text}; border-bottom: 2px solid {colors.accent}; }}
 QTabBar::tab:hover {{ color: {colors.text}; }}
+QTabBar::tab:selected:focus {{ background: {chosen}; }}
+QSlider::groove:horizontal {{ height: 4px; border-radius: 2px; background: {colors.hairline}; }}
+QSlider::sub-page:horizontal {{ border-radius: 2px; background: {colors.accent}; }}
+QSlider::handle:horizontal {{ width: 12px; margin: -5px 0; border-radius: 7px; background: {colors.accent};
+    border: 1px solid {colors.accent}; }}
+QSlider::handle:horizontal:hover {{ background: {hover}; }}
+QSlider::handle:horizontal:focus {{ background: {colors.raised}; border: 2px solid {colors.accent}; width: 10px; }}
+QSlider::sub-page:horizontal:disabled {{ background: {handle}; }}
+QSlider::handle:horizontal:disabled {{ background: {colors.panel}; border-color: {handle}; }}
+QTableView {{ outline: none; }}
 QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
 QPlainTextEdit[role="details"] {{ background: {colors.raised}; border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 4px; }}

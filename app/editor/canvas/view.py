@@ -63,6 +63,7 @@ class WorldCanvas(Surface):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 180)
         self.setAccessibleName("World")
+        self.setProperty("framed", True)
         self.setToolTipDuration(0)
         self._connect()
 

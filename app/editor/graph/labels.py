@@ -39,11 +39,15 @@ def _how(edge: Edge, first: Way, *, many: bool) -> str:
     return f"{number(first.support)} of {number(first.total)}{ending}"
 
 
+#: A space at which no line is broken.
+SPACE = "\u00a0"
+
+
 def tip_of(edge: Edge, automaton: Automaton, names: tuple[str, str]) -> str:
     """All ways of an edge, each with its tests and their numbers."""
     lines = [f"<b>{escape(names[0])} → {escape(names[1])}</b>"]
     for way in edge.ways:
-        lines.append(escape(way_words(way)))
+        lines.append(escape(way_words(way)).replace(" · p ", f"{SPACE}· p{SPACE}"))
         tests = " and ".join(formal_words(condition, automaton) for condition in way.guard)
         if tests:
             lines.append(f"<small>{escape(tests)}</small>")

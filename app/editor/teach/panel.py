@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from ...engine.snapshots import Snapshot
 from .demonstrations_dialog import demonstration_rows
@@ -16,6 +16,9 @@ from .rows import teach_panel_rows
 
 if TYPE_CHECKING:
     from ..studio import Studio
+
+#: Pixels that the panel takes at most before a lesson, and in one as many as it is given (Qt's number for no limit).
+IDLE, ANY = 104, (1 << 24) - 1
 
 
 class TeachPanel(QWidget):
@@ -58,9 +61,17 @@ class TeachPanel(QWidget):
     def _show(self) -> None:
         teaching = self._studio.teaching
         lesson = teaching.lesson
-        self._pages.setCurrentWidget(self.idle if lesson is None else self.lesson)
+        self._turn_to(self.idle if lesson is None else self.lesson)
         self.title_changed.emit(self._title())
         self._ask()
+
+    def _turn_to(self, page: QWidget) -> None:
+        """Show a page, and take no more height than it needs: what a lesson took goes back to the panel below."""
+        for other in (self.idle, self.lesson):
+            kept = QSizePolicy.Policy.Preferred if other is page else QSizePolicy.Policy.Ignored
+            other.setSizePolicy(QSizePolicy.Policy.Preferred, kept)
+        self._pages.setCurrentWidget(page)
+        self.setMaximumHeight(IDLE if page is self.idle else ANY)
 
     def _title(self) -> str:
         teaching, snapshot = self._studio.teaching, self._studio.snapshot

@@ -52,6 +52,7 @@ class CutPage(QWidget):
         self.empty = EMPTY
         self.setMinimumHeight(96)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setProperty("framed", True)
         self.setAccessibleName("Histogram of the examples at the node; arrow keys move the cut")
         self.setToolTip(
             "Examples at the node by value and label. Drag the line, or move it by the arrow keys"

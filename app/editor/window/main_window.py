@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
 
@@ -20,6 +20,7 @@ from ..documents.recent_menu import RecentMenu
 from ..documents.welcome import WelcomePage
 from ..experiments.rows import Experiments
 from ..exporting.dialog import export_rows
+from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
@@ -92,6 +93,8 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self._pages)
         self.resize(SIZE)
         self._place_docks()
+        for panel in (self.canvas, *(dock.widget() for dock in self.docks.values())):
+            frame_views(panel, studio.theme)
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
         self.addToolBar(self.toolbar)
@@ -159,11 +162,17 @@ class MainWindow(QMainWindow):
 
     def standard_layout(self) -> None:
         """Put all docks back where they stood at first."""
-        self.restoreState(self._standard)
+        self._put_back(self._standard)
         for dock in self.docks.values():
             dock.setVisible(self.studio.is_open)
         share_places(self, self.docks)
         self._size_docks_soon()
+
+    def _put_back(self, state: QByteArray) -> bool:
+        """Let docks stand as they stood; tabs go first, since Qt leaves the old ones beside the new ones otherwise."""
+        for dock in self.docks.values():
+            self.removeDockWidget(dock)
+        return self.restoreState(state)
 
     def _size_docks_soon(self) -> None:
         """Docks that have just been shown take sizes only once they have been laid out."""
@@ -286,7 +295,7 @@ class MainWindow(QMainWindow):
             return  # they stand where the user has put them since
         self._docks_shown = True
         state = self.studio.settings.bytes_of("state")
-        if state.isEmpty() or not self.restoreState(state):
+        if state.isEmpty() or not self._put_back(state):
             self.standard_layout()
 
     def _keep_docks(self) -> None:

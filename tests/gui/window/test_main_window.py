@@ -2,13 +2,15 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QTabBar
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START
 from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.editor.actions import MENUS
+from app.editor.focus_frame import FocusFrame
+from app.editor.graph.view import GraphView
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
@@ -133,6 +135,51 @@ def test_a_tab_says_what_it_is_however_long_names_are(
     assert tree.windowTitle() == "Decision tree"
     graph.setFloating(True)
     qtbot.waitUntil(lambda: graph.windowTitle() == f"Automaton · {name}", timeout=PATIENCE)
+
+
+def test_a_view_is_framed_while_keys_go_there_because_of_keys(window: MainWindow, qtbot: QtBot) -> None:
+    window.activateWindow()
+    view = window.docks["graph"].findChild(GraphView)
+    assert view is not None
+    frame = view.findChild(FocusFrame)
+    assert frame is not None
+    assert not frame.isVisible()
+    window.show_panel("graph")
+    qtbot.waitUntil(frame.isVisible, timeout=PATIENCE)
+    assert frame.geometry() == view.rect()
+    window.show_panel("library")
+    qtbot.waitUntil(lambda: not frame.isVisible(), timeout=PATIENCE)
+    view.setFocus(Qt.FocusReason.MouseFocusReason)
+    assert not frame.isVisible()
+
+
+def test_what_a_lesson_took_of_the_window_goes_back_after_it(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    examples = window.docks["examples"]
+    qtbot.waitUntil(lambda: examples.height() > 150, timeout=PATIENCE)
+    before = examples.height()
+    studio.selection.select_nodes(("agent-1",))
+    studio.teaching.teach()
+    qtbot.waitUntil(lambda: studio.mode is Mode.TEACHING, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: examples.height() < before, timeout=PATIENCE)
+    studio.teaching.stop()
+    qtbot.waitUntil(lambda: examples.height() >= before - 20, timeout=PATIENCE)
+
+
+def test_the_standard_layout_leaves_no_tabs_of_another_one(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    def tabs_on_the_window() -> list[str]:
+        bars = [bar for bar in window.findChildren(QTabBar) if bar.parent() is window and bar.isVisible()]
+        seen = [bar for bar in bars if window.rect().intersects(bar.geometry())]
+        return sorted(bar.tabText(k).split(" ")[0] for bar in seen for k in range(bar.count()))
+
+    window.docks["graph"].setFloating(True)
+    for _ in range(2):
+        studio.actions["view.standard"].trigger()
+    qtbot.waitUntil(lambda: tabs_on_the_window() == ["Examples", "Plots", "Problems"], timeout=PATIENCE)
+    assert not window.docks["graph"].isFloating()
 
 
 def test_opening_another_project_leaves_window_and_panels_where_they_are(
