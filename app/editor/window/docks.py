@@ -113,7 +113,7 @@ class Dock(QDockWidget):
         self.row = row
         self.setWidget(panel)
         self.title = _Title(row.title)
-        self._no_title = QWidget()
+        self._no_title = QWidget(self)
         self._told = row.title
         self.setTitleBarWidget(self.title)
         for part in (panel, self.title):

@@ -13,7 +13,7 @@ from app.editor.canvas.frame import Frame
 from app.editor.canvas.view import WorldCanvas
 from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
-from app.engine.commands import Command
+from app.engine.commands import Command, Step
 from app.engine.snapshots import Snapshot
 from tests.gui.conftest import PATIENCE
 
@@ -107,9 +107,12 @@ class Pilot:
         self.qtbot.waitUntil(lambda: bool(ready()), timeout=PATIENCE)
 
     def send(self, command: Command) -> None:
-        """Send a command and wait for its answer."""
+        """Send a command and wait for its answer; after a step in a world that stands still, until it has passed."""
+        before = self.snapshot
         ticket = self.studio.bridge.send(command)
         self.wait(lambda: self.snapshot.acknowledged >= ticket)
+        if isinstance(command, Step) and before.speed == 0.0:
+            self.wait(lambda: self.snapshot.tick >= before.tick + command.ticks)
 
     def use_arm(self, name: str) -> None:
         """Begin another arm."""
