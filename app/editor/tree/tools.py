@@ -74,8 +74,8 @@ class Tools(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(line)
-        column.addLayout(row)
         column.addWidget(self._stack)
+        column.addLayout(row)  # at the bottom, so that buttons stay under the mouse whatever is open
 
     @property
     def page(self) -> str:

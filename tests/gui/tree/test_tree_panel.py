@@ -131,3 +131,13 @@ def test_a_model_without_a_tree_says_so(panel: TreePanel, studio: Studio, qtbot:
     with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
         learned(studio, Refit("knn"))
     assert "has no tree" in panel.message
+
+
+def test_buttons_stay_under_the_mouse_whatever_they_open(panel: TreePanel, qtbot: QtBot) -> None:
+    button = panel.tools.buttons["cut"]
+    before = button.mapToGlobal(button.rect().center())
+    for page in ("cut", ""):
+        qtbot.mouseClick(button, LEFT)
+        assert panel.tools.page == page
+        panel.grab()  # has it laid out
+        assert button.mapToGlobal(button.rect().center()) == before
