@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QPoint, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -90,6 +90,7 @@ class ExamplesPanel(QWidget):
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._lay_out()
         self._shown: tuple[object, object] = (None, None)
+        self._cursor = "", 0  # an example and a column
         self._selecting = False
         self._closed = False
         self._connect()
@@ -149,6 +150,7 @@ class ExamplesPanel(QWidget):
         self.model.edited.connect(self._edit)
         self._judged.connect(self._take_verdicts)
         self.table.selectionModel().selectionChanged.connect(self._selected)
+        self.table.selectionModel().currentChanged.connect(self._cursor_moved)
 
     def _close(self) -> None:
         """Ask no more: whatever still changes while the window closes is not judged."""
@@ -236,7 +238,19 @@ class ExamplesPanel(QWidget):
         self.table.selectionModel().select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
         self._selecting = False
         if rows:
-            self.table.scrollTo(self.model.index(rows[0], 0))
+            self._put_cursor(rows)
+
+    def _put_cursor(self, rows: Sequence[int]) -> None:
+        """Where it was before the rows came anew, if it is in one of *rows*; else in the first: arrow keys go on from there."""
+        was, column = self._cursor
+        row = self.model.row_of(was)
+        at = self.model.index(row if row in rows else rows[0], column)
+        self.table.selectionModel().setCurrentIndex(at, QItemSelectionModel.SelectionFlag.NoUpdate)
+        self.table.scrollTo(at)
+
+    def _cursor_moved(self, index: QModelIndex) -> None:
+        if index.isValid():
+            self._cursor = self.model.example(index.row()).id, index.column()
 
     def show_moment(self) -> None:
         """Show on the canvas the moment in which the selected example was recorded; of several or none, the present."""
@@ -300,9 +314,10 @@ class ExamplesPanel(QWidget):
 
     def _menu(self, at: QPoint) -> None:
         menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for row in example_rows(self):
             menu.addAction(self._studio.actions[row.id])
-        menu.exec(self.table.viewport().mapToGlobal(at))
+        menu.popup(self.table.viewport().mapToGlobal(at))
 
 
 def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QMenu
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import disable_examples, relabel_examples, set_values
@@ -64,6 +64,19 @@ def test_a_click_selects_an_example_and_asks_for_its_moment(
     assert wanted.args is not None
     assert wanted.args[0] == window.studio.document.project.moments[example.snapshot]
     assert wanted.args[1:] == [example.node, f"The moment of example {example.id}"]
+
+
+def test_the_context_menu_offers_what_can_be_done_and_keeps_nobody_waiting(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    click(qtbot, panel, 0)
+    qtbot.waitUntil(window.studio.actions["examples.disable"].isEnabled)
+    panel.table.customContextMenuRequested.emit(place(panel, 0, Column.WORDS))
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    entry = next(action for action in menu.actions() if action.objectName() == "examples.disable")
+    qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
+    assert not examples(window)[0].enabled
 
 
 def test_a_tick_box_switches_an_example_off_and_undo_brings_it_back(
@@ -193,3 +206,17 @@ def test_all_are_selected_as_one_range_and_painting_asks_those_that_are_seen_onl
     panel.table.grab()
     assert asked
     assert max(asked) <= seen + 1
+
+
+def test_arrow_keys_go_on_from_where_they_were_after_an_edit(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    click(qtbot, panel, 3)
+    window.studio.document.do(disable_examples, WANDER.type, WANDER.id, panel.chosen)
+    qtbot.waitUntil(lambda: not panel.model.example(3).enabled, timeout=PATIENCE)
+    qtbot.keyClick(panel.table, Qt.Key.Key_Down)
+    assert window.studio.selection.examples == (panel.model.example(4).id,)
+    window.studio.selection.select_examples([panel.model.example(6).id])  # as the tree does
+    qtbot.waitUntil(lambda: panel.table.currentIndex().row() == 6, timeout=PATIENCE)
+    qtbot.keyClick(panel.table, Qt.Key.Key_Up)
+    assert window.studio.selection.examples == (panel.model.example(5).id,)
