@@ -104,6 +104,8 @@ def studio_measures() -> tuple[Measure, ...]:
         of("engine under the window", "rates", "share", "times", 0.8, high=True),
         of("longest stall of the window", "stalls", "longest", "ms", 50.0),
         of("stalls, 99 of 100 beats", "stalls", "most", "ms", 50.0),
+        of("longest stall beside 1,000 runs", "runs", "longest", "ms", 50.0),
+        of("stalls beside 1,000 runs, 99 of 100 beats", "runs", "most", "ms", 1000.0 / 60.0),
         of("opening 200 behaviors, 20,000 examples", "projects", "opened", "s", 3.0),
         of("slowest use of that project", "projects", "used", "ms", 100.0),
         of("arranging 40 states, 120 transitions", "graphs", "arranged", "s", 1.0),

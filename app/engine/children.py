@@ -19,4 +19,4 @@ def environment() -> Mapping[str, str]:
 def step_back() -> None:
     """Leave the cores to the window where both want them; called in the process that was started."""
     if hasattr(os, "nice"):
-        os.nice(5)
+        os.nice(10)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...core.project import Project
 from ...core.storage import load
-from . import automata, canvas, keys, library, pace, session
+from . import automata, canvas, experiments, keys, library, pace, session
 from .heartbeat import percentile
 from .stage import stage
 
@@ -86,6 +86,14 @@ def stalls(order: Order) -> Figures:
     return {"longest": 1000.0 * max(late), "most": 1000.0 * percentile(late, 0.99)}
 
 
+def runs(order: Order) -> Figures:
+    """Many runs in the window of experiments."""
+    ticks = 10 * experiments.TICKS if order.full else experiments.TICKS
+    with stage() as shown:
+        late = experiments.lateness(shown, order.project, order.much(experiments.RUNS, 6), ticks)
+    return {"longest": 1000.0 * max(late), "most": 1000.0 * percentile(late, 0.99)}
+
+
 GROUPS: Mapping[str, Callable[[Order], Figures]] = {
     "frames": frames,
     "picks": picks,
@@ -93,4 +101,5 @@ GROUPS: Mapping[str, Callable[[Order], Figures]] = {
     "graphs": graphs,
     "projects": projects,
     "stalls": stalls,
+    "runs": runs,
 }

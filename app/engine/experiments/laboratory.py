@@ -18,7 +18,7 @@ from .runner import Controls, Progress, carry_out
 from .store import Results, Row
 
 #: Seconds between two summings-up at least; and they take at most this share of the time.
-BETWEEN, SHARE = 0.5, 0.1
+BETWEEN, SHARE = 1.0, 0.1
 
 
 class Stage(StrEnum):
