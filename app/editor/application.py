@@ -15,6 +15,7 @@ from ..core.project import Project
 from ..engine.commands import GoTo, Reset
 from ..sim.scenario import Scenario
 from .settings import Settings
+from .size import use_size
 from .studio import Studio
 from .theme import Theme
 from .window.main_window import MainWindow
@@ -45,8 +46,10 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     Returns:
         The exit code.
     """
+    chosen = Settings(settings, state)
+    use_size(chosen.size_percent)
     application = make_application()
-    window = make_window(application, Settings(settings, state))
+    window = make_window(application, chosen)
     runs = RunWindows(application, window)
     signal.signal(signal.SIGINT, lambda *_: window.close())
     signal.signal(signal.SIGTERM, lambda *_: window.close())

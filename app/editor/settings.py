@@ -11,6 +11,8 @@ from .theme import ThemeMode
 
 #: Seconds between autosaves, and how many recent projects are remembered.
 AUTOSAVE, MOST_RECENT = 30, 10
+#: Sizes of text and controls that can be chosen, in percent.
+SIZES = (100, 110, 125, 150, 175, 200)
 
 
 class Settings(QObject):
@@ -42,6 +44,16 @@ class Settings(QObject):
     @theme.setter
     def theme(self, mode: ThemeMode) -> None:
         self._set("theme", str(mode))
+
+    @property
+    def size_percent(self) -> int:
+        """How large text and controls are, 100 being as large as the system has it; from the next start on."""
+        found = _whole(self._stored.value("size_percent"), 100)
+        return min(max(found, SIZES[0]), SIZES[-1])
+
+    @size_percent.setter
+    def size_percent(self, percent: int) -> None:
+        self._set("size_percent", percent)
 
     @property
     def autosave_seconds(self) -> int:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..actions import ActionRow
 from ..number_box import roomy
+from ..size import size_in_force, sizes_that_fit
 from ..theme import ThemeMode
 from .keys import KeysPage
 
@@ -50,11 +51,16 @@ class Preferences(QDialog):
         self.theme = QComboBox()
         for mode, text in _THEMES.items():
             self.theme.addItem(text, mode)
+        self.size_of_all = QComboBox()
+        now, chosen = size_in_force(), studio.settings.size_percent
+        for percent in sizes_that_fit(self.screen().availableSize().width(), now, chosen):
+            self.size_of_all.addItem(f"{percent} %", percent)
         self.autosave = roomy(QSpinBox())
         self.learns = QCheckBox("Learn by itself")
         self.keys = KeysPage(studio)
         self.controls: dict[str, QWidget] = {
             "theme": self.theme,
+            "size_percent": self.size_of_all,
             "autosave_seconds": self.autosave,
             "learns_by_itself": self.learns,
             "keys": self.keys,
@@ -72,6 +78,7 @@ class Preferences(QDialog):
         studio.settings.changed.connect(self._show)
         self._show()
         self.theme.activated.connect(self._set_theme)
+        self.size_of_all.activated.connect(self._set_size)
         self.autosave.valueChanged.connect(self._set_autosave)
         self.learns.toggled.connect(self._set_learns)
 
@@ -84,6 +91,10 @@ class Preferences(QDialog):
         self.theme.setAccessibleName("Theme")
         self.theme.setToolTip("Light or dark colors")
         form.addRow("Theme", self.theme)
+        self.size_of_all.setAccessibleName("Size of text and controls")
+        self.size_of_all.setToolTip("How large everything in the window is")
+        form.addRow("Size", self.size_of_all)
+        form.addRow("", _note("Of text and controls; from the next start on."))
         self.autosave.setRange(0, MOST_SECONDS)
         self.autosave.setSingleStep(5)
         self.autosave.setSuffix(" s")
@@ -116,6 +127,7 @@ class Preferences(QDialog):
         for control in (self.autosave, self.learns):
             control.blockSignals(True)
         self.theme.setCurrentIndex(list(_THEMES).index(settings.theme))
+        self.size_of_all.setCurrentIndex(max(0, self.size_of_all.findData(settings.size_percent)))
         self.autosave.setValue(settings.autosave_seconds)
         self.learns.setChecked(settings.learns_by_itself)
         for control in (self.autosave, self.learns):
@@ -123,6 +135,9 @@ class Preferences(QDialog):
 
     def _set_theme(self) -> None:
         self._studio.settings.theme = ThemeMode(self.theme.currentData())
+
+    def _set_size(self) -> None:
+        self._studio.settings.size_percent = self.size_of_all.currentData()
 
     def _set_autosave(self, seconds: int) -> None:
         self._studio.settings.autosave_seconds = seconds
@@ -134,6 +149,7 @@ class Preferences(QDialog):
 #: The settings as the command palette lists them: name, what it is called, and what it is about.
 SETTINGS = (
     ("theme", "Theme", "light, dark, or as the system has it"),
+    ("size_percent", "Size", "how large text and controls are"),
     ("autosave_seconds", "Autosave interval", "how often unsaved work is kept"),
     ("learns_by_itself", "Learn by itself", "learning from every change of an example"),
     ("keys", "Keys", "the shortcuts of all actions"),
@@ -162,7 +178,7 @@ def preference_rows(window: QWidget) -> tuple[ActionRow, ...]:
             lambda studio: open_preferences(studio, window),
             "preferences",
             "Ctrl+,",
-            "Theme, autosave, learning, and the keys of all actions",
+            "Theme, size, autosave, learning, and the keys of all actions",
             "cog-outline",
         ),
     )
