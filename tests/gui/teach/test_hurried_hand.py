@@ -50,9 +50,12 @@ def test_window_and_session_agree_however_fast_the_hand_is(hand: Hand, seed: int
             for _ in range(chance.randrange(3)):
                 QApplication.processEvents()
         agree(hand)
-    while hand.studio.document.history.can_undo:
+    history = hand.studio.document.history
+    while history.can_undo:
+        steps = len(history.steps)
         hand.studio.undo()
         hand.wait(lambda: not hand.studio._undo_ticket)
+        assert len(history.steps) < steps, history.undo_text
     agree(hand)
     assert hand.studio.document.project == before
 

@@ -8,6 +8,8 @@ from pytestqt.qtbot import QtBot
 
 from app.editor.actions import ActionRow
 from app.editor.agents.panel import AgentsPanel
+from app.editor.soon import catch_up
+from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
@@ -87,3 +89,14 @@ def test_a_key_finds_what_has_become_possible_in_the_same_moment(
     studio.touch()
     QTest.keyClick(agents(window), Qt.Key.Key_F9)
     assert done == ["it"]
+
+
+def test_what_was_put_off_is_not_done_any_more_once_all_has_ended(empty_studio: Studio) -> None:
+    seen: list[str] = []
+    row = ActionRow("f9", "F9", "", lambda _: None, enabled=lambda _: not seen.append("looked"))  # type: ignore[func-returns-value]
+    empty_studio.actions.add([row])
+    seen.clear()
+    empty_studio.touch()
+    empty_studio.shut_down()
+    catch_up()
+    assert seen == []
