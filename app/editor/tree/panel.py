@@ -49,6 +49,9 @@ LIVE = 33
 #: Pixels that the tree keeps whatever is open below it.
 LOWEST = 104
 
+#: Of the states that have learned something, so many are named.
+MOST_NAMED = 4
+
 
 class TreePanel(QWidget):
     """The decision tree of the state that is shown.
@@ -264,7 +267,10 @@ class TreePanel(QWidget):
             return f"{said} {self._outcome_now()}".strip()
         if subject.automaton.rules_of(subject.state):
             return f"{name} has learned nothing; its rules decide, and what they leave stays."
-        return f"{name} has learned nothing yet, so it stays for ever. Teach it, or add a rule."
+        said = f"{name} has learned nothing yet, so it stays for ever. Teach it, or add a rule."
+        taught = [subject.name(s.id) for s in subject.automaton.states if s.id in subject.automaton.learned]
+        named = f"{', '.join(taught[:MOST_NAMED])}{' or another state' if taught[MOST_NAMED:] else ''}"
+        return f"{said}\n\nTo see what was learned, choose above: {named}." if taught else said
 
     # -------------------------------------------------------------------------------------------------- live
 

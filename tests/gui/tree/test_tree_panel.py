@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from app.core.automaton import Refit
+from app.core.automaton import START, Refit
 from app.core.edits import set_learned
 from app.core.tree import Forest, Tree
 from app.editor.selection import BehaviorKey
@@ -141,3 +141,16 @@ def test_buttons_stay_under_the_mouse_whatever_they_open(panel: TreePanel, qtbot
         assert panel.tools.page == page
         panel.grab()  # has it laid out
         assert button.mapToGlobal(button.rect().center()) == before
+
+
+def test_a_state_that_has_learned_nothing_names_those_that_have(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    automaton = studio.document.automaton(*FORAGE)
+    assert automaton is not None
+    studio.settings.learns_by_itself = False
+    models = {state: model for state, model in automaton.learned.items() if state != START}
+    studio.document.do(set_learned, *FORAGE, models, automaton.learned_from)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_state(START)
+    assert panel._message.text().endswith("choose above: Wander, ReturnWithBox.")
