@@ -1,5 +1,8 @@
 """Means, intervals and tests, against numpy and scipy on the numbers themselves."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -87,3 +90,14 @@ def test_bonferroni_multiplies_by_the_number_of_tests_up_to_1() -> None:
 )
 def test_verdicts_follow_from_means_and_p(a: Sample, b: Sample, p: float, verdicts: tuple[str, ...]) -> None:
     assert (greater(a, b, p), same(a, b, p), no_less(a, b, p)) == verdicts
+
+
+def test_numbers_too_small_to_be_squared_tell_nothing() -> None:
+    assert welch(Sample(5, 1.0, 1e-200), Sample(5, 1.0 + 1e-200, 1e-200)) is None
+    assert welch(Sample(5, 0.0, 1e-200), Sample(5, 0.0, 1e-200)) is None
+
+
+def test_looking_at_experiments_loads_no_scipy_stats() -> None:
+    """It would hold the window up for half a second."""
+    code = "import sys, app.editor.experiments.window; sys.exit('scipy.stats' in sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)
