@@ -91,6 +91,7 @@ class ExperimentBuilder(QDialog):
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
         self.resize(760, 520)
+        self.title.setFocus()
 
     # --------------------------------------------------------------------------------------------- fields
 
@@ -198,15 +199,20 @@ class ExperimentBuilder(QDialog):
             caption("Each claim is tested (two-tailed Welch t-tests, Bonferroni) and gets a verdict.")
         )
         self.claims = _table(["Arm", "says", "Arm", "in"])
-        for at, width in ((1, 132), (3, 108)):  # the names of arms are what may be long
+        for at, width in ((1, 152), (3, 108)):  # the names of arms are what may be long
             self.claims.horizontalHeader().setSectionResizeMode(at, QHeaderView.ResizeMode.Fixed)
             self.claims.setColumnWidth(at, width)
         for claim in self._base.claims if self._base is not None else ():
             if (row := shown_claim(claim)) is not None:
                 self.add_claim(*row)
         column.addWidget(self.claims, 1)
-        column.addLayout(_below(self.claims, lambda: self.add_claim("", Kind.GREATER, "", "")))
+        column.addLayout(_below(self.claims, self._add_usual_claim))
         return page
+
+    def _add_usual_claim(self) -> None:
+        """A claim about the first two arms that take part."""
+        first, second = (*(_text(item) for item in _ticked(self.arms)), "", "")[:2]
+        self.add_claim(first, Kind.GREATER, second, "")
 
     def add_claim(self, first: str, kind: Kind, second: str, measure: str) -> None:
         """One more row of claims."""
@@ -224,14 +230,19 @@ class ExperimentBuilder(QDialog):
             says.addItem(words, one)
         says.setCurrentIndex(says.findData(kind))
         self.claims.setCellWidget(row, 1, says)
+        other = self.claims.cellWidget(row, 2)
+
+        def compare() -> None:
+            other.setEnabled(_said(says) is not Kind.NEVER_STALLS)
+
+        says.currentIndexChanged.connect(compare)
+        compare()
 
     # -------------------------------------------------------------------------------------------- keeping
 
     def draft(self) -> Draft:
         """What the fields hold."""
         title = self.title.text()
-        ticked = [item for item in _items(self.arms) if item.checkState() is Qt.CheckState.Checked]
-        shown = [item for item in _items(self.measures) if item.checkState() is Qt.CheckState.Checked]
         return Draft(
             self.name.text().strip() or slug(title, "experiment"),
             title,
@@ -239,11 +250,11 @@ class ExperimentBuilder(QDialog):
             self.ticks.text(),
             self.runs.text(),
             self.seed.text(),
-            tuple(item.data(Qt.ItemDataRole.UserRole) for item in ticked),
+            tuple(item.data(Qt.ItemDataRole.UserRole) for item in _ticked(self.arms)),
             tuple(self._factor_row(row) for row in range(self.factors.rowCount())),
-            self.design.currentData(),
+            Design(self.design.currentData()),
             tuple(self._claim_row(row) for row in range(self.claims.rowCount())),
-            tuple(_text(item) for item in shown),
+            tuple(_text(item) for item in _ticked(self.measures)),
         )
 
     def _factor_row(self, row: int) -> tuple[str, str]:
@@ -259,7 +270,7 @@ class ExperimentBuilder(QDialog):
     def _claim_row(self, row: int) -> tuple[str, Kind, str, str]:
         boxes = [self.claims.cellWidget(row, column) for column in range(4)]
         first, says, second, measure = (box for box in boxes if isinstance(box, QComboBox))
-        kind = says.currentData()
+        kind = _said(says)
         other = "" if kind is Kind.NEVER_STALLS else second.currentText()
         return first.currentText(), kind, other, measure.currentText()
 
@@ -283,6 +294,7 @@ def _table(head: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(head))
     table.setHorizontalHeaderLabels(list(head))
     table.verticalHeader().hide()
+    table.horizontalHeader().setHighlightSections(False)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
     table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
@@ -314,6 +326,15 @@ def _add_ticked(where: QListWidget, text: str, *, ticked: bool, value: object = 
 
 def _items(where: QListWidget) -> list[QListWidgetItem]:
     return [where.item(row) for row in range(where.count())]
+
+
+def _said(says: QComboBox) -> Kind:
+    """What a claim says: Qt gives back plain text."""
+    return Kind(says.currentData())
+
+
+def _ticked(where: QListWidget) -> list[QListWidgetItem]:
+    return [item for item in _items(where) if item.checkState() is Qt.CheckState.Checked]
 
 
 def _text(item: QListWidgetItem) -> str:

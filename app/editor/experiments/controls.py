@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
 from ...engine.cores import cores
 from ...engine.experiments.laboratory import Look, Stage
@@ -20,6 +20,10 @@ from .standing import words_of
 if TYPE_CHECKING:
     from ..theme import Theme
     from .study import Study
+
+
+#: Pixels that an icon takes, which a button gets later.
+ICON = 20
 
 
 class Controls(QWidget):
@@ -45,6 +49,7 @@ class Controls(QWidget):
         self.pause = text_button(
             "Pause", "Let all worlds stand still, or go on (F6)", running.pause_or_resume
         )
+        _keep_width(self.pause, "Resume")
         self.cancel = text_button("Cancel", "Stop; finished runs are kept (F7)", running.cancel)
         self.bar = QProgressBar()
         self.bar.setTextVisible(False)
@@ -111,6 +116,14 @@ class Controls(QWidget):
         self.bar.setVisible(on)
         for field in (self.ticks, self.runs, self.jobs):
             field.setEnabled(running)
+
+
+def _keep_width(button: QPushButton, other: str) -> None:
+    """Let a button stay as wide when it says something else, so that nothing beside it moves."""
+    said = button.text()
+    button.setText(other)
+    button.setMinimumWidth(button.sizeHint().width() + ICON)
+    button.setText(said)
 
 
 def _number(tip: str, low: int, high: int) -> QSpinBox:

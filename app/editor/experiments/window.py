@@ -153,14 +153,18 @@ class ExperimentsWindow(QWidget):
         if study is None:
             empty = UNSAVED if self.folder is None else EMPTY
             self.title.setText("" if self.listing.current else empty)
-            self.note.setText("")
+            self._show_note("")
         else:
             self.title.setText(study.declared.title)
-            self.note.setText(study.declared.note)
+            self._show_note(study.declared.note)
             self.controls.show_study(study)
             self.pages.offer_measures(study)
         self.pages.show_kept(None, study)
         self._refresh_buttons()
+
+    def _show_note(self, words: str) -> None:
+        self.note.setText(words)
+        self.note.setVisible(bool(words))
 
     def _refresh_buttons(self) -> None:
         free = self.study is not None and not self.running.is_on

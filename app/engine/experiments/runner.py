@@ -56,17 +56,29 @@ Tell = Callable[[Progress], None]
 class Controls:
     """What a user can do to an experiment from another thread: let it pause, go on, and stop."""
 
-    def __init__(self) -> None:
+    def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
+        self._clock = clock
         self._going = Event()
         self._going.set()
         self._cancelled = Event()
+        self._since: float | None = None  # when it was paused, while it is
+        self._before = 0.0
+
+    @property
+    def stood_still(self) -> float:
+        """For how many seconds it was paused altogether."""
+        since = self._since
+        return self._before + (0.0 if since is None else self._clock() - since)
 
     def pause(self) -> None:
         """Let all worlds stand still."""
+        if self._since is None:
+            self._since = self._clock()
         self._going.clear()
 
     def resume(self) -> None:
         """Go on."""
+        self._before, self._since = self.stood_still, None
         self._going.set()
 
     def cancel(self) -> None:
@@ -183,7 +195,7 @@ class _Crew:
         ticks = sum(underway.share for underway in self._underway.values())
         total = len(self._cells) * self._experiment.runs
         made = self._done - self._found + ticks
-        passed = time.perf_counter() - self._began
+        passed = time.perf_counter() - self._began - self.controls.stood_still
         left = passed / made * (total - self._done - ticks) if made > 0.0 else None
         return Progress(total, self._done, self._found, ticks, left)
 

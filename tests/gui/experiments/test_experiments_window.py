@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import set_world
@@ -207,6 +207,34 @@ def test_an_experiment_is_built_by_hand_and_runs(
     assert window.title.text() == "Few boxes"
     window.begin()
     qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+
+
+def test_a_new_claim_is_about_the_first_arms_that_take_part_and_one_arm_alone_never_stalls(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot, folder: Path
+) -> None:
+    _, window = shown
+    qtbot.mouseClick(window.listing.new, Qt.MouseButton.LeftButton)
+    (builder,) = window.findChildren(ExperimentBuilder)
+    qtbot.keyClicks(builder.title, "Claims")
+    builder.arms.item(0).setCheckState(Qt.CheckState.Unchecked)
+    builder.tabs.setCurrentIndex(3)
+    more = next(b for b in builder.findChildren(QPushButton) if b.text() == "Add a row" and b.isVisible())
+    for _ in range(2):
+        qtbot.mouseClick(more, Qt.MouseButton.LeftButton)
+    says, other = builder.claims.cellWidget(1, 1), builder.claims.cellWidget(1, 2)
+    assert isinstance(says, QComboBox)
+    assert other is not None
+    assert other.isEnabled()
+    says.setCurrentText("never stalls")
+    assert not other.isEnabled()
+    with qtbot.waitSignal(builder.kept, timeout=PATIENCE):
+        qtbot.mouseClick(
+            builder.buttons.button(QDialogButtonBox.StandardButton.Ok), Qt.MouseButton.LeftButton
+        )
+    made = json.loads((folder / "experiments" / "claims.json").read_text())["claims"]
+    first, second = (builder.arms.item(row).text() for row in (1, 2))
+    assert (made[0]["greater"], made[0]["less"]) == (first, second)
+    assert made[1]["never_stalls"] == first
 
 
 def test_what_cannot_be_is_said_in_the_dialog(

@@ -185,3 +185,16 @@ def test_memory_does_not_grow_with_the_number_of_runs(tmp_path: Path) -> None:
 
     held_at_the_end(3)  # what is made once and kept
     assert held_at_the_end(110) < held_at_the_end(10) + 50_000
+
+
+def test_time_that_is_left_is_told_without_the_time_that_it_was_paused() -> None:
+    now = 10.0
+    controls = Controls(lambda: now)
+    controls.pause()
+    now = 15.0
+    controls.pause()
+    assert controls.stood_still == 5.0
+    controls.resume()
+    now = 20.0
+    controls.resume()
+    assert controls.stood_still == 5.0
