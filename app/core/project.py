@@ -56,15 +56,19 @@ class Pick:
 
     Attributes:
         act: ``pick`` a state; ``answer`` with one, after which the node decides by itself again; ``should not have left``
-            the state just left; ``undo`` the last pick; ``test``; ``learn`` in the middle of a test; or ``teach`` the node
-            from this tick on (those of one tick together; the arm runs until then).
+            the state just left; ``undo`` the last pick; ``test``; ``learn`` in the middle of a test; ``teach`` the node
+            from this tick on (those of one tick together; the arm runs until then); or ``move`` an entity.
         state: For ``pick`` and ``answer``: the id of the state. Empty otherwise.
+        entity, x, y: For ``move``: the number of the entity in its world, and where it is put. None otherwise.
     """
 
     tick: int
     node: str
     state: str = ""
     act: str = "pick"
+    entity: int | None = None
+    x: float | None = None
+    y: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

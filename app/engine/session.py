@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import singledispatchmethod
 
 from ..core.errors import SessionError, UnderstudyError
+from ..core.project import Pick as DemonstratedAct
 from ..sim.engines import COMPILED, REFERENCE
 from .commands import (
     AskMe,
@@ -37,7 +38,6 @@ from .course import Course
 from .directing import direct_roots
 from .lesson import Lesson
 from .snapshots import Event, Interrupted, Mode, Snapshot, TakenBack, Watched
-from .transcript import AGAIN
 from .watching import watched
 
 
@@ -242,25 +242,33 @@ class Session(Course):
             )
         if command.tick < 0:
             raise SessionError(f"there is no tick {command.tick}; the first is 0")
+        back = command.tick < self.tick
         self._world.go_near(command.tick)
+        if back:
+            self._transcript.go_back()
         self._clock.go(command.tick, command.tick - self.tick)
 
     @_obey.register
     def _(self, command: MoveEntity) -> None:
         self._refuse_failed()
-        self._events.append(self._world.move(command.entity, command.x, command.y))
+        moved = self._world.move(command.entity, command.x, command.y)
+        self._events.append(moved)
+        act = DemonstratedAct(self.tick, "", act="move", entity=command.entity, x=command.x, y=command.y)
+        self._transcript.move(moved.number, act, learning=self._learns)
         self._touched()
 
     @_obey.register
     def _(self, command: UndoMove) -> None:
         self._refuse_failed()
         self._world.undo_move(command.number)
+        self._transcript.undo_move(command.number, self.tick)
         self._touched()
 
     @_obey.register
     def _(self, command: RedoMove) -> None:
         self._refuse_failed()
         self._world.redo_move(command.number)
+        self._transcript.redo_move(command.number, self.tick, learning=self._learns)
         self._touched()
 
     @_obey.register
@@ -271,6 +279,11 @@ class Session(Course):
         return self._asked is not None and self._asked.node == node_id
 
     @property
+    def _learns(self) -> bool:
+        """Whether a lesson's test waits for what it learns."""
+        return self._lesson is not None and self._will_test(self._lesson)
+
+    @property
     def _runs_taught(self) -> bool:
         """Whether somebody runs what is taught, so that it matters when it is learned."""
         lesson = self._lesson
@@ -278,7 +291,6 @@ class Session(Course):
 
     def _touched(self) -> None:
         """The world was changed by hand: a journey ends here, and a question may be another."""
-        self._transcript.spoil(f"something was moved in the world. {AGAIN}")
         self._clock.stop_going()
         self._reconsider()
 

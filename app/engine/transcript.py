@@ -34,6 +34,7 @@ class Transcript:
         self._acts: list[Pick] = []
         self._live: list[Pick] = []  # those of the acts whose examples are there
         self._added: dict[str, State] = {}
+        self._moves: dict[int, Pick] = {}
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
         self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
@@ -113,6 +114,32 @@ class Transcript:
         self._insert(Pick(tick, "", act="undo"), learning=learning)
         if self._live:
             self._live.pop()
+
+    def move(self, number: int, act: Pick, *, learning: bool = False) -> None:
+        """Something was moved in the world.
+
+        Args:
+            number: Of the move, see `app.engine.snapshots.Moved`.
+        """
+        self._moves[number] = act
+        self._insert(act, learning=learning)
+
+    def undo_move(self, number: int, tick: int) -> None:
+        """A move was taken back; where nothing came after it, it is as if it had never been."""
+        last = self._acts[-1] if self._acts else None
+        if last is not None and last is self._moves.get(number) and last.tick == tick:
+            self._acts.pop()
+        else:
+            self.spoil(f"something was moved back in the world. {AGAIN}")
+
+    def redo_move(self, number: int, tick: int, *, learning: bool = False) -> None:
+        """A move was done again."""
+        self.move(number, replace(self._moves[number], tick=tick), learning=learning)
+
+    def go_back(self) -> None:
+        """The run is gone back in."""
+        if any(act.act == "move" for act in self._acts):
+            self.spoil(f"something was moved in the world before it was gone back in. {AGAIN}")
 
     def leave(self) -> None:
         """Nobody is taught any more."""

@@ -10,7 +10,7 @@ from ..project import Arm, Demonstration, LevelTable, Project
 from .problem import PROJECT_FILE, Problem, allowed, demonstration_file, place, twice
 
 #: What a hand can do, see `app.core.project.Pick`.
-ACTS = ("pick", "answer", "should not have left", "undo", "test", "learn", "teach")
+ACTS = ("pick", "answer", "should not have left", "undo", "test", "learn", "teach", "move")
 #: What the nodes that are not taught can do meanwhile.
 OTHERS = ("idle", "run")
 
@@ -159,6 +159,9 @@ def _pick_problems(
     for index, pick in enumerate(demonstration.picks):
         if pick.act not in ACTS:
             message = f"{pick.act!r} is nothing that a hand can do; {allowed(pick.act, ACTS)}"
+            yield _error(demonstration.id, place("picks", index, "act"), message)
+        if pick.act == "move" and None in (pick.entity, pick.x, pick.y):
+            message = "a move needs the entity that is moved, and x and y, where it is put"
             yield _error(demonstration.id, place("picks", index, "act"), message)
         picks = pick.act in ("pick", "answer")
         if nodes is not None and (pick.node or picks):

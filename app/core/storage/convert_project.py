@@ -107,7 +107,7 @@ def demonstration_value(record: DemonstrationRecord) -> Demonstration:
         record.automaton,
         record.arm,
         record.seed,
-        tuple(Pick(pick.tick, pick.node, pick.state, pick.act) for pick in record.picks),
+        tuple(Pick(p.tick, p.node, p.state, p.act, p.entity, p.x, p.y) for p in record.picks),
         record.ticks,
         record.parameters,
         record.arguments,

@@ -5,7 +5,7 @@ Keys with a default are left out where they hold it.
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, FiniteFloat, model_validator
 
 from ..automaton import START, Sampling
 from ..features import Operation, Over
@@ -307,7 +307,10 @@ class PickRecord(Record):
     tick: Count
     node: str = ""
     state: str = ""
-    act: Literal["pick", "answer", "should not have left", "undo", "test", "learn", "teach"] = "pick"
+    act: Literal["pick", "answer", "should not have left", "undo", "test", "learn", "teach", "move"] = "pick"
+    entity: Count | None = None
+    x: FiniteFloat | None = None
+    y: FiniteFloat | None = None
 
 
 class DemonstrationRecord(Record):

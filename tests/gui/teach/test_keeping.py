@@ -1,6 +1,6 @@
 """What the hand does in a lesson is kept as a demonstration of the project, which plays it again."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 
 from app.core.project import Demonstration, Project
 from app.engine.commands import MoveEntity, Reset
@@ -43,6 +43,30 @@ def test_a_lesson_in_the_window_is_played_again_without_it(hand: Hand) -> None:
     assert again.library("agent").get("wander").learned_from != ""
 
 
+def test_an_agent_that_was_dragged_in_a_lesson_is_dragged_again(hand: Hand) -> None:
+    hand.studio.actions["canvas.fit"].trigger()
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(3)
+    canvas, entity = hand.window.canvas, hand.snapshot.place.agents.index("agent-3")
+    x, y = (float(hand.snapshot.columns[name][entity]) for name in "xy")
+    start, end = (
+        QPoint(*(round(float(v)) for v in canvas.looking.camera.to_view(x + off, y))) for off in (0.0, 12.0)
+    )
+    hand.qtbot.mousePress(canvas, LEFT, pos=start)
+    hand.qtbot.mouseMove(canvas, pos=(start + end) / 2)
+    hand.qtbot.mouseMove(canvas, pos=end)
+    hand.act(lambda: hand.qtbot.mouseRelease(canvas, LEFT, pos=end))
+    assert float(hand.snapshot.columns["x"][entity]) > x + 6.0
+    hand.pick("RotateLeft")
+    hand.hold(2)
+    assert "kept" in hand.page.badge.text()
+    assert "move" in [act.act for act in newest(hand).picks]
+    again = recreate(project(hand), hand.studio.document.scenario, [WANDER])
+    assert again.examples_of(*WANDER) == hand.examples
+    assert again.moments == project(hand).moments
+
+
 def test_a_pick_and_its_place_in_the_demonstration_are_one_step(hand: Hand) -> None:
     untouched = project(hand)
     hand.teach("Wander", "agent-3")
@@ -65,10 +89,12 @@ def test_where_it_would_not_do_the_same_it_is_not_kept_and_that_is_said(hand: Ha
     hand.hold(2)
     assert kept(hand) == ["wander-2"]
     hand.act(lambda: hand.studio.bridge.send(MoveEntity(3, 10.0, 10.0)))
+    hand.hold(1)
+    hand.undo()
     hand.pick("RotateLeft")
     assert kept(hand) == []
     assert "not kept" in hand.page.badge.text()
-    assert "moved" in hand.page.badge.toolTip()
+    assert "moved back" in hand.page.badge.toolTip()
 
 
 def test_keeping_is_switched_off_before_a_lesson(hand: Hand) -> None:

@@ -216,6 +216,11 @@ def shown(**fields: object) -> Project:
             "'jump' is nothing that a hand can do",
         ),
         (
+            {"picks": (Pick(0, "", act="move", entity=3),)},
+            "picks[0].act",
+            "a move needs the entity that is moved, and x and y",
+        ),
+        (
             {"picks": (Pick(9, "agent-1", "left"), Pick(8, "agent-1", "left"))},
             "picks[1].tick",
             "but 8 comes after 9",

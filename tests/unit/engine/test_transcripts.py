@@ -19,7 +19,7 @@ from app.core.edits.arms import replace_arm
 from app.core.features import Ground
 from app.core.project import Demonstration, Project
 from app.engine import commands
-from app.engine.commands import AskMe, MoveEntity, Others, Pick
+from app.engine.commands import AskMe, GoTo, MoveEntity, Others, Pick, RedoMove, RunArm, UndoMove
 from app.engine.demonstrations import play, recreate
 from app.engine.transcript import Transcript
 from app.learner.trainer import apply, learn
@@ -196,6 +196,37 @@ def test_teaching_goes_on_after_a_test() -> None:
     check(driver)
 
 
+def test_what_was_moved_before_and_in_a_lesson_is_moved_again() -> None:
+    driver = Driver().send(RunArm()).send(MoveEntity(1, 7.0, 0.0)).advance(3).send(MoveEntity(0, 2.0, 0.0))
+    driver.teach("agent-1", "Shuttle", demonstration="shuttle-1").pick("up").advance(4)
+    driver.send(MoveEntity(0, 3.0, 0.0)).pick("down").advance(2).send(MoveEntity(0, 9.0, 0.0))
+    moved = [(act.tick, act.entity, act.x, act.y) for act in kept(driver).picks if act.act == "move"]
+    assert moved == [
+        (0, 1, 7.0, 0.0),
+        (3, 0, 2.0, 0.0),
+        (7, 0, 3.0, 0.0),
+    ]  # what comes after the last pick is no part
+    assert problems(driver) == []
+    check(driver)
+
+
+def test_a_move_that_is_undone_at_once_was_never_made_and_one_done_again_was() -> None:
+    driver = (
+        lesson().pick("up").advance(4).send(MoveEntity(0, 3.0, 0.0)).send(UndoMove(1)).pick("down").advance()
+    )
+    assert "4 move" not in acts(driver)
+    driver = lesson().pick("up").advance(4).send(MoveEntity(0, 3.0, 0.0)).send(UndoMove(1)).send(RedoMove(1))
+    driver.pick("down").advance()
+    assert "4 move" in acts(driver)
+    check(driver)
+
+
+def test_a_move_before_the_run_was_gone_back_in_is_not_played() -> None:
+    driver = Driver().send(RunArm()).advance(5).send(MoveEntity(0, 3.0, 0.0)).send(GoTo(2)).advance(3)
+    driver.teach("agent-1", "Shuttle", demonstration="shuttle-1").pick("up").advance()
+    assert "gone back in" in driver.obstacle
+
+
 def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
     assert "rigid" in Transcript("alone", 1, {"physics": "rigid", "engine": "auto"}).obstacle
     assert not Transcript("alone", 1, {"physics": "kinematic", "world.length": 5.0}).obstacle
@@ -204,7 +235,7 @@ def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
 @pytest.mark.parametrize(
     ("spoil", "why"),
     [
-        (lambda d: d.send(MoveEntity(0, 40.0, 0.0)), "moved"),
+        (lambda d: [d.send(MoveEntity(0, 40.0, 0.0)).advance(), d.send(UndoMove(1))], "moved back"),
         (lambda d: d.reset(2), "begun again"),
         (lambda d: d.edit(note_state, *SHUTTLE, "up", "a note"), "behaviors were changed"),
         (lambda d: d.edit(disable_examples, *SHUTTLE, ["1"]), "examples were changed"),

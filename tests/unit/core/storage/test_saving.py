@@ -13,7 +13,7 @@ import pytest
 from app.core.edits import remove_state
 from app.core.examples import Example
 from app.core.library import Library, NodeType
-from app.core.project import Project
+from app.core.project import Pick, Project
 from app.core.storage import FilesError, load, moment_hash, save
 from app.core.storage.atomic import locked
 from tests.unit.core.storage import every_kind
@@ -78,6 +78,15 @@ def test_states_that_only_demonstrations_remember_are_kept_with_them(folder: Pat
     save(project, folder, without_left)
     assert stamps(folder).keys() == before.keys()
     assert load(folder).demonstrations == project.demonstrations
+
+
+def test_what_a_demonstration_moves_is_kept(folder: Path, project: Project) -> None:
+    demonstration, *others = project.demonstrations
+    moves = Pick(0, "", act="move", entity=3, x=10.5, y=-2.0)
+    moved = replace(demonstration, picks=(moves, *demonstration.picks))
+    project = replace(project, demonstrations=(moved, *others))
+    save(project, folder)
+    assert load(folder) == project
 
 
 def test_what_was_changed_by_hand_meanwhile_stays_where_the_project_did_not_change(
