@@ -234,8 +234,7 @@ QSlider::handle:horizontal:focus {{ background: {colors.raised}; border: 2px sol
 QSlider::sub-page:horizontal:disabled {{ background: {handle}; }}
 QSlider::handle:horizontal:disabled {{ background: {colors.panel}; border-color: {handle}; }}
 QTableView {{ outline: none; }}
-QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600;
-    border: 1px solid {handle}; }}
+QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
 QPlainTextEdit[role="details"] {{ background: {colors.raised}; border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 4px; }}
 QLabel[role="caption"] {{ color: {colors.dim}; font-size: {CAPTION}px; }}

@@ -116,11 +116,26 @@ class Dock(QDockWidget):
         self._no_title = QWidget(self)
         self._told = row.title
         self.setTitleBarWidget(self.title)
+        self.topLevelChanged.connect(self._edge)
         for part in (panel, self.title):
             # The style sheet paints the ground of panels.
             part.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         if hasattr(panel, "title_changed"):
             panel.title_changed.connect(self._tell)
+
+    def _edge(self, floating: bool) -> None:  # noqa: FBT001 - as Qt calls it
+        """Leave room for an edge: what floats has no frame of the system's, and lies on panels of the same color."""
+        edge = 1 if floating else 0
+        self.setContentsMargins(edge, edge, edge, edge)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """See above."""
+        super().paintEvent(event)
+        if self.isFloating():
+            painter = QPainter(self)
+            painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+            painter.end()
 
     def _tell(self, title: str) -> None:
         """Show what the panel is called now: all of it in the title, what there is room for on a tab."""

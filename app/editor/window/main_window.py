@@ -25,6 +25,7 @@ from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks, share_places, size_docks
+from .help_rows import help_rows
 from .keys import OwnKeys
 from .messages import MessageBar
 from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
@@ -102,7 +103,7 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar(studio, self._pages)
         self._pages.installEventFilter(self)
         self.guide = Guide(self, self._pages)
-        studio.actions.add(guide_rows(self.guide))
+        studio.actions.add((*guide_rows(self.guide), *help_rows(self)))
         self._build_menus()
         self.recent = RecentMenu(self.files, self.menuBar())
         self.search_field = SearchField(studio)

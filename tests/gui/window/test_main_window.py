@@ -5,12 +5,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QTabBar
 from pytestqt.qtbot import QtBot
 
+from app import __version__
 from app.core.automaton import START
 from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.editor.actions import MENUS
+from app.editor.documents.asking import Question
 from app.editor.focus_frame import FocusFrame
 from app.editor.graph.view import GraphView
+from app.editor.preferences.dialog import Preferences
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
@@ -180,6 +183,21 @@ def test_the_standard_layout_leaves_no_tabs_of_another_one(
         studio.actions["view.standard"].trigger()
     qtbot.waitUntil(lambda: tabs_on_the_window() == ["Examples", "Plots", "Problems"], timeout=PATIENCE)
     assert not window.docks["graph"].isFloating()
+
+
+def test_help_tells_the_version_and_all_keys(window: MainWindow, studio: Studio, qtbot: QtBot) -> None:
+    studio.actions["help.about"].trigger()
+    about = window.findChild(Question)
+    assert about is not None
+    assert about.details is not None
+    assert f"Understudy {__version__}" in about.details.toPlainText()
+    with qtbot.waitSignal(about.destroyed, timeout=PATIENCE):
+        qtbot.keyClick(about, Qt.Key.Key_Escape)
+    studio.actions["help.keys"].trigger()
+    preferences = window.findChild(Preferences)
+    assert preferences is not None
+    assert preferences.keys.isVisible()
+    preferences.close()
 
 
 def test_opening_another_project_leaves_window_and_panels_where_they_are(
