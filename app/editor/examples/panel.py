@@ -27,7 +27,7 @@ from ..soon import Soon
 from .delegates import HEAVIEST, LIGHTEST, LabelDelegate, WeightDelegate
 from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, states_of
-from .verdicts import Judged, Matter, Verdict, judge
+from .verdicts import Judge, Judged, Matter, Verdict
 
 if TYPE_CHECKING:
     from ...core.examples import Example
@@ -83,7 +83,7 @@ class ExamplesPanel(QWidget):
         self.model = ExamplesModel()
         self.filters = FilterBar(self.model)
         self.table = self._table()
-        self._worker = Worker(judge, lambda matter, _: Judged(matter, {}), self._judged.emit, "judge")
+        self._worker = Worker(Judge().judge, lambda matter, _: Judged(matter, {}), self._judged.emit, "judge")
         self._empty = QLabel(EMPTY)
         self._empty.setProperty("role", "empty")
         self._empty.setWordWrap(True)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from ...core.automaton import Automaton, Refit
+from ...core.automaton import Automaton, Model, Refit
 from ...core.examples import Example
 from ...core.tree import Forest, Tree
 from ...engine.worker import IsCancelled
@@ -51,27 +51,43 @@ class Judged:
     verdicts: Mapping[str, Verdict]
 
 
-def judge(matter: Matter, cancelled: IsCancelled = lambda: False) -> Judged:
-    """Judge every example; given up early where *cancelled*."""
-    features = tuple(use.id for use in matter.automaton.features)
-    against = _conflicting(matter.examples, features)
-    verdicts: dict[str, Verdict] = {}
-    for example in matter.examples:
-        if cancelled():
-            break
-        verdicts[example.id] = _verdict(example, matter.automaton, features, conflict=example.id in against)
-    return Judged(matter, verdicts)
+class Judge:
+    """Judges examples time after time; what a model says of an example is worked out once for the two of them."""
+
+    def __init__(self) -> None:
+        self._opinions: dict[str, tuple[Example, Model | None, Verdict]] = {}
+
+    def judge(self, matter: Matter, cancelled: IsCancelled = lambda: False) -> Judged:
+        """Judge every example; given up early where *cancelled*."""
+        automaton = matter.automaton
+        features, states = {use.id for use in automaton.features}, {state.id for state in automaton.states}
+        against = _conflicting(matter.examples, tuple(use.id for use in automaton.features))
+        verdicts: dict[str, Verdict] = {}
+        for example in matter.examples:
+            if cancelled():
+                break
+            if not example.enabled:
+                verdict = Verdict.OFF
+            elif not (
+                example.source in states and example.label in states and features <= example.values.keys()
+            ):
+                verdict = Verdict.LEFT_OUT
+            elif example.id in against:
+                verdict = Verdict.CONFLICT
+            else:
+                verdict = self._opinion(example, automaton.learned.get(example.source))
+            verdicts[example.id] = verdict
+        return Judged(matter, verdicts)
+
+    def _opinion(self, example: Example, model: Model | None) -> Verdict:
+        known = self._opinions.get(example.id)
+        if known is None or known[0] is not example or known[1] is not model:
+            known = self._opinions[example.id] = example, model, _said(model, example)
+        return known[2]
 
 
-def _verdict(example: Example, automaton: Automaton, features: Sequence[str], *, conflict: bool) -> Verdict:
-    if not example.enabled:
-        return Verdict.OFF
-    gone = not (automaton.has_state(example.source) and automaton.has_state(example.label))
-    if gone or any(feature not in example.values for feature in features):
-        return Verdict.LEFT_OUT
-    if conflict:
-        return Verdict.CONFLICT
-    model = automaton.learned.get(example.source)
+def _said(model: Model | None, example: Example) -> Verdict:
+    """What a state's model says of an example."""
     if isinstance(model, Refit):
         return Verdict.UNTOLD
     if not isinstance(model, Tree | Forest):
@@ -89,7 +105,7 @@ def _conflicting(examples: Sequence[Example], features: Sequence[str]) -> set[st
     alike: dict[object, list[Example]] = defaultdict(list)
     for example in examples:
         if example.enabled:
-            key = (example.source, *(example.values.get(feature) for feature in features))
+            key = (example.source, *map(example.values.get, features))
             alike[key].append(example)
     return {
         example.id
