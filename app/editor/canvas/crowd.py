@@ -202,7 +202,7 @@ def _paint_label(painter: QPainter, frame: Frame, ink: Ink, radius: float) -> No
     if left + size.width() > frame.camera.width - 4.0:
         left = x[entity] - radius - 8.0 - size.width()
     ground = QColor(frame.palette.canvas)
-    ground.setAlphaF(0.75)
+    ground.setAlphaF(0.88)
     box = QRectF(left - 3, y[entity] - size.height() / 2 - 1, size.width() + 6, size.height() + 2)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(ground)
