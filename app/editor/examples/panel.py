@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractItemDelegate,
     QAbstractItemView,
     QInputDialog,
     QLabel,
@@ -58,7 +59,23 @@ EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to d
 
 
 class _Table(QTableView):
-    """The words get what room the other columns leave, and some in any case."""
+    """The words get what room the other columns leave, and some in any case.
+
+    Signals:
+        edit_ended: What was being edited in place is taken or given up.
+    """
+
+    edit_ended = Signal()
+
+    @property
+    def is_editing(self) -> bool:
+        """Whether something is being edited in place."""
+        return self.state() is QAbstractItemView.State.EditingState
+
+    def closeEditor(self, editor: QWidget, hint: QAbstractItemDelegate.EndEditHint) -> None:
+        """See above."""
+        super().closeEditor(editor, hint)
+        self.edit_ended.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """See above."""
@@ -99,7 +116,7 @@ class ExamplesPanel(QWidget):
         self._dress()
         self.refresh()
 
-    def _table(self) -> QTableView:
+    def _table(self) -> _Table:
         table = _Table()
         table.setModel(self.model)
         table.setAccessibleName("examples")
@@ -144,6 +161,7 @@ class ExamplesPanel(QWidget):
         self._soon = Soon(self, self.refresh)
         for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
             signal.connect(self._soon.ask)
+        self.table.edit_ended.connect(self._soon.ask)
         studio.selection.examples_changed.connect(self._show_selected)
         studio.theme.changed.connect(self._dress)
         self.filters.changed.connect(self._filter)
@@ -160,7 +178,9 @@ class ExamplesPanel(QWidget):
     # --------------------------------------------------------------------------------------------- showing
 
     def refresh(self) -> None:
-        """Show the examples that there are now."""
+        """Show the examples that there are now, unless one is being edited: that would end it."""
+        if self.table.is_editing:
+            return
         subject, examples = self._subject()
         now = (None if subject is None else subject.automaton, examples)
         if now[0] is self._shown[0] and now[1] is self._shown[1]:

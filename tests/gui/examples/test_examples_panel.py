@@ -13,6 +13,7 @@ from app.editor.examples.verdicts import Verdict
 from app.editor.selection import BehaviorKey
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import PATIENCE
+from tests.patient_bot import have_done_what_is_due
 
 WANDER = BehaviorKey("agent", "wander")
 
@@ -97,6 +98,7 @@ def test_a_switched_off_example_is_learned_without_in_the_background(
     document = window.studio.document
     before = document.project.library("agent").automata["wander"].learned_from
     click(qtbot, panel, 0)
+    qtbot.waitUntil(window.studio.actions["examples.disable"].isEnabled)
     window.studio.actions["examples.disable"].trigger()
     qtbot.waitUntil(
         lambda: document.project.library("agent").automata["wander"].learned_from != before, timeout=PATIENCE
@@ -126,6 +128,22 @@ def test_a_weight_is_typed(window: MainWindow, panel: ExamplesPanel, qtbot: QtBo
     qtbot.keyClicks(box, "3")
     qtbot.keyClick(box, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: examples(window)[0].weight == 3.0, timeout=PATIENCE)
+
+
+def test_what_is_learned_meanwhile_does_not_end_typing(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    double_click(qtbot, panel, 0, Column.WEIGHT)
+    box = panel.table.viewport().findChild(QDoubleSpinBox)
+    assert isinstance(box, QDoubleSpinBox)
+    other = examples(window)[1].id
+    window.studio.document.do(disable_examples, WANDER.type, WANDER.id, [other])
+    have_done_what_is_due()
+    box.selectAll()
+    qtbot.keyClicks(box, "3")
+    qtbot.keyClick(box, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: examples(window)[0].weight == 3.0, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: not panel.model.example(panel.model.row_of(other)).enabled, timeout=PATIENCE)
 
 
 def test_filters_narrow_the_table_and_are_cleared_at_once(panel: ExamplesPanel, qtbot: QtBot) -> None:
