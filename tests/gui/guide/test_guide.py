@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -11,7 +11,8 @@ from app.core.tree import Tree
 from app.editor.guide.ring import found
 from app.editor.guide.scratch import NAME, scratch_project
 from app.editor.guide.steps import FORAGING, SECOND, STEPS
-from app.editor.selection import BehaviorKey
+from app.editor.library.panel import LibraryPanel
+from app.editor.library.survey import RowKey
 from app.editor.window.main_window import MainWindow
 from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
@@ -96,7 +97,7 @@ def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbo
     teach_wander(window, qtbot)
     assert window.studio.mode is Mode.TESTING
     at(window, qtbot, "Now foraging")
-    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    choose_in_library(window, qtbot, RowKey("agent", "forage"))
     at(window, qtbot, "Take an agent in hand")
 
 
@@ -126,11 +127,12 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     studio = window.studio
     studio.settings.lesson_step = SECOND
     begin(window, qtbot)
-    studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    choose_in_library(window, qtbot, RowKey("agent", "wander"))  # Forage may be chosen already
+    choose_in_library(window, qtbot, RowKey("agent", "forage"))
     at(window, qtbot, "Take an agent in hand")
     qtbot.keyClick(window, Qt.Key.Key_T)
     at(window, qtbot, "Let it search")
-    window.speed.choose(studio, 8.0)
+    faster(window, qtbot, 8.0)
     pick(window, qtbot, "Wander")
     at(window, qtbot, "It has found a box")
     play_until(window, qtbot, "sees")
@@ -146,6 +148,25 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     qtbot.waitUntil(
         lambda: studio.snapshot is not None and studio.snapshot.measures["boxes"] > 3, timeout=PATIENCE
     )
+
+
+def choose_in_library(window: MainWindow, qtbot: QtBot, key: RowKey) -> None:
+    """Click a behavior in the library."""
+    panel = window.docks["library"].widget()
+    assert isinstance(panel, LibraryPanel)
+    index = panel.shown.mapFromSource(panel.model.find(key))
+    panel.tree.scrollTo(index)
+    row = panel.tree.visualRect(index)
+    spot = QPoint(row.left() + 30, row.center().y())  # on its name
+    qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=spot)
+
+
+def faster(window: MainWindow, qtbot: QtBot, speed: float) -> None:
+    """Press the key for faster until it is as fast as that."""
+    for _ in range(20):
+        if window.speed.chosen != speed:
+            qtbot.keyClick(window, Qt.Key.Key_Plus)
+    assert window.speed.chosen == speed
 
 
 def play_until(window: MainWindow, qtbot: QtBot, feature: str) -> None:
