@@ -191,6 +191,7 @@ def test_a_wrong_forest_is_told_at_the_place(panel: AgentsPanel, studio: Studio,
 
 def test_add_puts_a_node_where_the_selection_is(panel: AgentsPanel, studio: Studio, qtbot: QtBot) -> None:
     click(panel, qtbot, "group-2")
+    qtbot.waitUntil(studio.actions["node.add"].isEnabled)
     studio.actions["node.add"].trigger()
     added = forest(studio).node("group-2").children[-1]
     assert added.type == "agent"

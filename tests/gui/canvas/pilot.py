@@ -114,6 +114,11 @@ class Pilot:
         if isinstance(command, Step) and before.speed == 0.0:
             self.wait(lambda: self.snapshot.tick >= before.tick + command.ticks)
 
+    def choose(self, action: str) -> None:
+        """Choose an action, once it is possible."""
+        self.wait(self.studio.actions[action].isEnabled)
+        self.studio.actions[action].trigger()
+
     def use_arm(self, name: str) -> None:
         """Begin another arm."""
         self.studio.use_arm(name)

@@ -58,7 +58,7 @@ def test_escape_gives_a_rubber_band_up(pilot: Pilot) -> None:
 
 def test_a_click_on_a_link_selects_its_controller(pilot: Pilot) -> None:
     pilot.use_arm("one level")
-    pilot.studio.actions["canvas.links"].trigger()
+    pilot.choose("canvas.links")
     frame = pilot.frame
     links = shown_links(frame)
     assert len(links) == 50
@@ -77,7 +77,7 @@ def test_a_click_in_a_hull_selects_its_controller_and_none_where_hulls_are_off(p
     at = pilot.nowhere()
     pilot.click(at)
     assert pilot.selected == []
-    pilot.studio.actions["canvas.hulls"].trigger()
+    pilot.choose("canvas.hulls")
     frame = pilot.frame
     corners = hull_corners(frame, shown_hulls(frame))
     middles = [QPoint(round(xs.mean()), round(ys.mean())) for xs, ys in zip(*corners, strict=True)]
@@ -123,8 +123,8 @@ def test_of_hundreds_of_controllers_the_highest_and_those_under_the_selected_are
     sizes = LevelTable((6, 20, 2), ("squad", "group", "agent"))
     pilot.studio.document.do(set_hierarchy, "two levels", sizes)
     pilot.use_arm("two levels")
-    pilot.studio.actions["canvas.hulls"].trigger()
-    pilot.studio.actions["canvas.links"].trigger()
+    pilot.choose("canvas.hulls")
+    pilot.choose("canvas.links")
     ids = pilot.snapshot.place.ids
     assert [ids[row] for row in shown_hulls(pilot.frame)] == [f"squad-{k}" for k in range(1, 7)]
     assert len(shown_links(pilot.frame)) == 6 * 20

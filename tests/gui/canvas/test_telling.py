@@ -54,13 +54,13 @@ def test_what_colors_tell_is_switched_in_the_legends_menu_and_remembered(pilot: 
 def test_every_way_to_color_can_be_painted_in_both_themes(pilot: Pilot) -> None:
     pilot.use_arm("two levels")
     for name in ("canvas.hulls", "canvas.links", "canvas.all_trails"):
-        pilot.studio.actions[name].trigger()
+        pilot.choose(name)
     pilot.send(Step(50))
     pilot.studio.selection.select_nodes(("agent-3", "group-1"))
     for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
         pilot.studio.settings.theme = mode
         for by in ColorBy:
-            pilot.studio.actions[f"canvas.color_{by}"].trigger()
+            pilot.choose(f"canvas.color_{by}")
             picture = pilot.canvas.grab().toImage()
             ground = pilot.studio.theme.color("canvas")
             assert picture.pixelColor(2, picture.height() // 2) in (ground, pilot.studio.theme.color("grid"))
@@ -99,8 +99,7 @@ def test_the_badge_says_what_the_session_is_for(pilot: Pilot) -> None:
     pilot.send(Teach("agent", "forage", ("agent-17",)))
     pilot.wait(pilot.canvas.badge.isVisible)
     assert pilot.canvas.badge.text() == "● Teaching agent 17"
-    pilot.wait(pilot.studio.actions["teach.test"].isEnabled)
-    pilot.studio.actions["teach.test"].trigger()
+    pilot.choose("teach.test")
     pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing Forage")
     pilot.send(RunArm())
     pilot.wait(lambda: not pilot.canvas.badge.isVisible())
@@ -114,8 +113,7 @@ def test_a_long_name_leaves_room_for_the_world_and_for_other_names(pilot: Pilot)
     pilot.wait(lambda: name in legend.buttons)
     assert "…" in legend.buttons[name].text()
     assert legend.buttons[name].toolTip().startswith(name)
-    pilot.wait(pilot.studio.actions["teach.test"].isEnabled)
-    pilot.studio.actions["teach.test"].trigger()
+    pilot.choose("teach.test")
     pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing A name that somebody gives who…")
 
 
@@ -171,7 +169,7 @@ def test_nothing_of_a_stored_moment_can_be_moved(pilot: Pilot) -> None:
 
 def test_time_that_passes_ends_the_moment(pilot: Pilot) -> None:
     show_example(pilot)
-    pilot.studio.actions["run.play"].trigger()
+    pilot.choose("run.play")
     pilot.wait(pilot.is_live)
 
 
