@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import pyqtgraph as pg
 
+from .theme import CAPTION, text_font
+
 if TYPE_CHECKING:
     from .theme import Theme
 
@@ -32,6 +34,10 @@ def dress(plot: Any, theme: Theme) -> None:
         axis = plot.getAxis(side)
         axis.setPen(theme.color("hairline"))
         axis.setTextPen(theme.color("dim"))
+        axis.setTickFont(text_font(CAPTION))
+        shown = axis.label.isVisible()
+        axis.setLabel(axis.labelText, **{"font-size": f"{CAPTION}px", "color": theme.color("dim").name()})
+        axis.showLabel(shown)
     legend = plot.getPlotItem().legend
     if legend is not None:
         legend.setLabelTextColor(theme.color("text"))

@@ -146,7 +146,7 @@ class InspectorPanel(QWidget):
 
     def _level(self, number: int, level: LevelTold) -> str:
         rows = "".join(
-            f'<tr><td class="dim">{escape(one.name)}</td><td>{escape(one.value)}</td>'
+            f'<tr><td class="dim" style="white-space: nowrap">{escape(one.name)}</td><td>{escape(one.value)}</td>'
             f'<td class="dim">{escape(one.words)}</td></tr>'
             for one in (*level.bindings, *level.readings)
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ..plotting import dress, quiet_plot
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from .series import LineKey
 
 
+#: Pixels below which the axis of ticks has no word.
+LOW = 140
 #: How a line looks in the legend.
 _STROKES = {
     Qt.PenStyle.SolidLine: "━━",
@@ -92,6 +94,11 @@ class LinesView(QWidget):
         else:
             self._plot.enableAutoRange("y")
         self._plot.getAxis("left").setLabel(label)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In a low panel the lines get the room of the word below them."""
+        super().resizeEvent(event)
+        self._plot.getAxis("bottom").showLabel(self.height() >= LOW)
 
     def _dress(self) -> None:
         dress(self._plot, self._theme)

@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from app.editor.plots.panel import PlotsPanel
 from app.editor.plots.series import LineKey
+from app.editor.theme import ThemeMode
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Pause, Play
 from tests.gui.conftest import PATIENCE
@@ -86,3 +87,18 @@ def test_the_legend_has_room_in_a_narrow_panel(panel: PlotsPanel) -> None:
     panel.grab()  # lays it out
     assert panel.view is not None
     assert panel.view.legend.width() >= panel.view.legend.sizeHint().width()
+
+
+def test_a_low_plot_gives_the_room_of_words_to_the_lines(
+    panel: PlotsPanel, window: MainWindow, qtbot: QtBot
+) -> None:
+    view = panel.view
+    assert view is not None
+    label = view._plot.getAxis("bottom").label
+    window.docks["plots"].setFloating(True)
+    window.docks["plots"].resize(600, 400)
+    qtbot.waitUntil(label.isVisible, timeout=PATIENCE)
+    window.docks["plots"].resize(600, 150)
+    qtbot.waitUntil(lambda: not label.isVisible(), timeout=PATIENCE)
+    window.studio.settings.theme = ThemeMode.DARK
+    assert not label.isVisible()
