@@ -27,7 +27,7 @@ class ComparePage(QWidget):
         self._found: dict[str, Findings] = {}
         self.list = QListWidget()
         self.list.setAccessibleName("experiments to compare")
-        self.list.setMaximumWidth(190)
+        self.list.setMaximumWidth(150)
         self.list.itemChanged.connect(self._ticked)
         self.model = TextTable()
         self.told = QLabel("Tick experiments to see their arms side by side.")

@@ -102,9 +102,13 @@ class Exporting:
     def _write(self, contents: dict[Path, bytes]) -> None:
         self._window.background.do(
             partial(_written, contents),
-            lambda names: self._window.studio.say(f"written: {names}"),
+            self._written,
             self._failed,
         )
+
+    def _written(self, names: str) -> None:
+        self._window.studio.say(f"written: {names}")
+        self._window.controls.tell(f"written: {names}")
 
     def _failed(self, error: UnderstudyError) -> None:
         self._window.studio.warn(str(error))

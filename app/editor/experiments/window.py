@@ -274,7 +274,12 @@ class ExperimentsWindow(QWidget):
     # -------------------------------------------------------------------------------------------- closing
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Hide; what runs goes on, and says so when it is done."""
+        """Hide; what runs goes on, and says so, and when it is done."""
+        study = self.running.study
+        if self.running.is_on and study is not None:
+            self.studio.say(
+                f"the experiment {study.declared.name!r} goes on in the background; Experiment, Experiments… shows it"
+            )
         event.accept()
 
     def shut_down(self) -> None:

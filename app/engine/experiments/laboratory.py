@@ -86,6 +86,7 @@ class Laboratory:
         self._newest = Look(Stage.BEGINNING)
         self.rows: list[Row] = []
         self._sum_up_at = clock()
+        self._summed_up = 0  # rows
         self._thread = Thread(target=self._work, name="laboratory", daemon=True)
         self._thread.start()
 
@@ -158,11 +159,11 @@ class Laboratory:
             return replace(look, stage=stage, progress=progress, notice="")
 
         self._show(told)
-        if self._clock() >= self._sum_up_at:
+        if len(self.rows) > self._summed_up and self._clock() >= self._sum_up_at:
             self._sum_up(results)
 
     def _sum_up(self, results: Results) -> None:
-        began = self._clock()
+        began, self._summed_up = self._clock(), len(self.rows)
         found = findings(self.experiment, list(self._scenario.measures), results)
         ended = self._clock()
         self._sum_up_at = ended + max(BETWEEN, (ended - began) / SHARE)

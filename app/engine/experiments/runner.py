@@ -62,13 +62,12 @@ class Controls:
         self._going.set()
         self._cancelled = Event()
         self._since: float | None = None  # when it was paused, while it is
-        self._before = 0.0
+        self._before = 0.0  # for how long it was paused before
 
-    @property
-    def stood_still(self) -> float:
-        """For how many seconds it was paused altogether."""
+    def worked(self) -> float:
+        """Seconds by a clock that stands still while worlds do."""
         since = self._since
-        return self._before + (0.0 if since is None else self._clock() - since)
+        return (self._clock() if since is None else since) - self._before
 
     def pause(self) -> None:
         """Let all worlds stand still."""
@@ -78,7 +77,9 @@ class Controls:
 
     def resume(self) -> None:
         """Go on."""
-        self._before, self._since = self.stood_still, None
+        if self._since is not None:
+            self._before += self._clock() - self._since
+            self._since = None
         self._going.set()
 
     def cancel(self) -> None:
@@ -155,7 +156,7 @@ class _Crew:
         self._cells = experiment.cells()
         self._found = results.count(len(self._cells), experiment.runs)
         self._done = self._found
-        self._began = time.perf_counter()
+        self._began = self.controls.worked()
         self._underway: dict[Future[Row | None], _Underway] = {}
 
     def work(self, pool: ThreadPoolExecutor, jobs: int, tell: Tell) -> None:
@@ -195,7 +196,7 @@ class _Crew:
         ticks = sum(underway.share for underway in self._underway.values())
         total = len(self._cells) * self._experiment.runs
         made = self._done - self._found + ticks
-        passed = time.perf_counter() - self._began - self.controls.stood_still
+        passed = self.controls.worked() - self._began
         left = passed / made * (total - self._done - ticks) if made > 0.0 else None
         return Progress(total, self._done, self._found, ticks, left)
 
@@ -205,11 +206,11 @@ class _Crew:
         ready = self._treatments.of(cell, run)
         seed = self._experiment.seed_of(cell.number, run)
         engine = start_engine(ready.treatment, seed, notice=self._notice)
-        began = time.perf_counter()
+        began = self.controls.worked()
         curves = self._curves(engine, underway)
         if curves is None:
             return None
-        seconds = time.perf_counter() - began
+        seconds = self.controls.worked() - began
         return _row(underway, ready, engine, curves, seed, seconds)
 
     def _curves(self, engine: Engine, underway: _Underway) -> list[list[float]] | None:

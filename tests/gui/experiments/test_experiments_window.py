@@ -126,12 +126,16 @@ def test_a_run_is_opened_in_the_world_at_a_tick_with_the_numbers_it_had(
 def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finished(
     shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
 ) -> None:
-    _, window = shown
+    main, window = shown
     window.listing.choose("figure3")
     window.controls.ticks.setValue(2000)
     window.controls.runs.setValue(500)
     qtbot.keyClick(window, Qt.Key.Key_F5)
     qtbot.waitUntil(lambda: bool(window.pages.curves.names), timeout=3 * PATIENCE)
+    with qtbot.waitSignal(window.studio.said, timeout=PATIENCE) as said:
+        window.close()
+    assert "goes on in the background" in said.args[0].text
+    assert main.experiments.show() is window
     qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: told(window, "Paused at"), timeout=PATIENCE)
     assert window.controls.pause.text() == "Resume"
@@ -263,6 +267,7 @@ def test_figure_data_and_report_are_written(
     qtbot.waitUntil((tmp_path / "x-curves.csv").exists, timeout=PATIENCE)
     window.pages.exporting.write_report(tmp_path / "x.md")
     qtbot.waitUntil((tmp_path / "x.md").exists, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: told(window, "Written:"), timeout=PATIENCE)
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     assert len((tmp_path / "x.csv").read_text().splitlines()) == 5
 

@@ -187,14 +187,35 @@ def test_memory_does_not_grow_with_the_number_of_runs(tmp_path: Path) -> None:
     assert held_at_the_end(110) < held_at_the_end(10) + 50_000
 
 
-def test_time_that_is_left_is_told_without_the_time_that_it_was_paused() -> None:
+class Held(Controls):
+    """Paused for a thousand seconds wherever a run heeds it; no time passes otherwise."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+        super().__init__(lambda: self.now)
+
+    def heed(self) -> bool:
+        self.pause()
+        self.now += 1_000.0
+        self.resume()
+        return super().heed()
+
+
+def test_no_time_passes_for_a_run_while_it_is_paused(tmp_path: Path) -> None:
+    plan = experiment()
+    told: list[Progress] = []
+    with opened(tmp_path / "r.sqlite", plan) as results:
+        carry_out(boxes(), scenario, plan, results, 1, told.append, Held())
+        assert {row.seconds for row in results.rows(0, plan.runs)} == {0.0}
+    assert {progress.seconds_left for progress in told} <= {0.0, None}
+
+
+def test_its_clock_goes_on_where_it_stood_still() -> None:
     now = 10.0
     controls = Controls(lambda: now)
     controls.pause()
     now = 15.0
-    controls.pause()
-    assert controls.stood_still == 5.0
+    assert controls.worked() == 10.0
     controls.resume()
-    now = 20.0
-    controls.resume()
-    assert controls.stood_still == 5.0
+    now = 17.0
+    assert controls.worked() == 12.0
