@@ -37,6 +37,10 @@ def load_folder(folder: Path) -> Project:
     """The project in *folder*, unchecked; a file is refused in words of its own."""
     if folder.name == "project.json":
         raise StorageError(f"{folder}: name the project's folder instead: {folder.parent}")
+    if is_export(folder):
+        raise StorageError(
+            f"{folder}: this is a file; a project is a folder. If it was exported, `understudy run {folder}` runs it"
+        )
     if folder.is_file():
         raise StorageError(f"{folder}: this is a file; a project is a folder that holds a project.json")
     return load(folder)

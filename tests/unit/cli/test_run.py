@@ -167,6 +167,15 @@ def test_a_file_is_no_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert f"{file}: this is a file; a project is a folder" in capsys.readouterr().err
 
 
+def test_a_file_that_may_be_an_export_is_answered_with_how_to_run_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "arm.json"
+    file.write_text("{}")
+    assert main(["check", str(file)]) == 2
+    assert f"If it was exported, `understudy run {file}` runs it" in capsys.readouterr().err
+
+
 def test_the_file_in_a_project_s_folder_is_answered_with_the_folder(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
