@@ -168,6 +168,8 @@ class Hand:
         button = row.menus[slot]
         QTimer.singleShot(POLL, choose)  # an open menu waits inside the click that opened it
         self.click(button)
+        self.window.activateWindow()  # without a screen, nobody gives the keys back once a menu has closed
+        self.wait(self.window.isActiveWindow)
 
     def hold(self, ticks: int) -> None:
         """Hold the key that passes single ticks until so many have passed."""
