@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from ...core.wording import state_words
+from .model import everything
 from .verdicts import Verdict
 
 if TYPE_CHECKING:
@@ -80,10 +82,12 @@ class FilterBar(QWidget):
                 else state_id
             )
 
-        _fill(self.source, [(name(state), state) for state in _distinct(e.source for e in examples)])
-        _fill(self.label, [(name(state), state) for state in _distinct(e.label for e in examples)])
-        _fill(self.node, [(node or "–", node) for node in sorted(_distinct(e.node for e in examples))])
-        taught = sorted(_distinct(e.demonstration for e in examples))
+        _fill(self.source, [(name(state), state) for state in _distinct(map(attrgetter("source"), examples))])
+        _fill(self.label, [(name(state), state) for state in _distinct(map(attrgetter("label"), examples))])
+        _fill(
+            self.node, [(node or "–", node) for node in sorted(_distinct(map(attrgetter("node"), examples)))]
+        )
+        taught = sorted(_distinct(map(attrgetter("demonstration"), examples)))
         _fill(self.demonstration, [(d or "no name", d) for d in taught])
 
     def choose(self, box: QComboBox, value: object) -> None:
@@ -93,6 +97,8 @@ class FilterBar(QWidget):
 
     def passes(self) -> Callable[[Example], bool]:
         """The test that examples have to pass."""
+        if self.is_open:
+            return everything
         source, label, node, demonstration, verdict = (box.currentData() for box in self.boxes)
         model = self._model
 

@@ -68,6 +68,11 @@ class Subject:
     vocabulary: Vocabulary
 
 
+def everything(_example: Example) -> bool:
+    """What passes where nothing is filtered."""
+    return True
+
+
 def _counted(example: Example) -> int:
     """Ids that are numbers in their order; thousands of numbers are compared sooner than texts."""
     return int(example.id)
@@ -93,7 +98,7 @@ class ExamplesModel(QAbstractTableModel):
         self._shown: list[Example] = []
         self._places: dict[str, int] = {}
         self._verdicts: Mapping[str, Verdict] = {}
-        self._passes: Callable[[Example], bool] = lambda _: True
+        self._passes: Callable[[Example], bool] = everything
         self._order: tuple[Column, bool] = (Column.ID, False)
         self._icons: Mapping[Verdict, Any] = {}
 
@@ -152,7 +157,8 @@ class ExamplesModel(QAbstractTableModel):
 
     def _arrange(self) -> None:
         self.beginResetModel()
-        self._shown = [example for example in self._all if self._passes(example)]
+        passes = self._passes
+        self._shown = list(self._all if passes is everything else filter(passes, self._all))
         column, falling = self._order
         self._shown.sort(key=self._key(column), reverse=falling)
         self._places = {example.id: row for row, example in enumerate(self._shown)}

@@ -3,6 +3,8 @@
 from collections.abc import Collection, Mapping
 
 from ...core.automaton import Automaton
+from ...core.remembered import Remembered
+from ...core.tree import Tree
 from ...export.graph import AutomatonGraph, graph_of
 from ..document import Document
 from ..selection import BehaviorKey
@@ -18,12 +20,12 @@ class Drafts:
     def __init__(self, document: Document, laying_out: LayingOut) -> None:
         self._document = document
         self._laying_out = laying_out
-        self._graphs: dict[BehaviorKey, tuple[tuple[object, ...], AutomatonGraph]] = {}
+        self._graphs: Remembered[BehaviorKey, AutomatonGraph] = Remembered()
         self._last: dict[BehaviorKey, Mapping[str, Point]] = {}
 
     def forget(self) -> None:
         """Another project is open."""
-        self._graphs.clear()
+        self._graphs.keep(())
         self._last.clear()
 
     def drawn(self, key: BehaviorKey, is_open: Collection[Path]) -> Drawn | None:
@@ -45,14 +47,15 @@ class Drafts:
     def _graph(self, type_name: str, automaton: Automaton) -> AutomatonGraph:
         project = self._document.project
         library = project.library(type_name)
-        examples = project.examples_of(type_name, automaton.id)
-        key, made_of = BehaviorKey(type_name, automaton.id), (automaton, library, examples)
-        kept = self._graphs.get(key)
-        if kept is not None and all(a is b for a, b in zip(kept[0], made_of, strict=True)):
-            return kept[1]
-        graph = graph_of(automaton, library, self._document.scenario.vocabulary, examples)
-        self._graphs[key] = made_of, graph
-        return graph
+        treeless = any(not isinstance(model, Tree) for model in automaton.learned.values())
+        examples = project.examples_of(type_name, automaton.id) if treeless else ()  # see `graph_of`
+        held = (library.automata.get(held) for held in automaton.nested())
+        made_of = automaton, examples, *held
+        return self._graphs.of(
+            BehaviorKey(type_name, automaton.id),
+            made_of,
+            lambda: graph_of(automaton, library, self._document.scenario.vocabulary, examples),
+        )
 
     def _arranged(self, key: BehaviorKey, request: Request) -> tuple[Arrangement, bool]:
         known = self._laying_out.known(request)
