@@ -83,15 +83,21 @@ def examples_by_label(examples: Iterable[Example]) -> Mapping[str, int]:
 
 
 def _addable(automaton: Automaton, library: Library, vocabulary: Vocabulary) -> list[Choice]:
-    """Behaviors and flags that a state could hold: learned ones first, as they are what is composed."""
+    """Behaviors and flags that a state could hold: learned ones first, as they are what is composed.
+
+    Of what a controller directs, too: its vocabulary begins with what agents do alone, and ends with what the level right
+    below has learned.
+    """
     circular = {automaton.id, *library.all_users(automaton.id)}
     learned = [a for a in library.automata.values() if a.id not in circular]
+    own = [b for b in vocabulary.behaviors.values() if not b.derived]
+    directed = [b for b in vocabulary.behaviors.values() if b.derived]
     flags = [flag for flag in known_flags(library, vocabulary) if flag != FINISHED]
     return [
         *(Choice(a.name, Nested(a.id), slots=a.parameters, doc=a.note) for a in learned),
         *(
             Choice(b.name, Basic(b.name), slots=b.parameters, raises=b.raises or "", doc=b.doc)
-            for b in vocabulary.behaviors.values()
+            for b in (*own, *reversed(directed))
         ),
         *(
             Choice(flag, RaiseFlag(flag), raises=flag, doc=f"raises the flag {flag} and begins anew")

@@ -67,3 +67,12 @@ def test_more_behaviors_than_keys_leave_some_without_one() -> None:
     keys = [choice.key for choice in choices(made("walk"), *many).values()]
     assert keys.count("") > 0
     assert len([key for key in keys if key]) == len(LETTERS)
+
+
+def test_a_controller_is_offered_first_what_the_level_below_has_learned_last() -> None:
+    directed = [BasicBehavior(name, derived=True) for name in ("Forward", "Forage", "Control")]
+    vocabulary = Vocabulary(behaviors={behavior.name: behavior for behavior in directed})
+    lead = made("lead")
+    found = choices_of(lead, Library({"lead": lead}), vocabulary)
+    assert [choice.name for choice in found][:3] == ["Control", "Forage", "Forward"]
+    assert next(choice for choice in found if choice.name == "Forage").key == "F"
