@@ -70,7 +70,8 @@ class Stage:
         self.settle()
 
     def close(self) -> None:
-        """End all that runs."""
+        """End all that runs, and what is being autosaved: the folder that it is kept in goes."""
+        self.window.files.shut_down()
         self.studio.shut_down()
         self.window.hide()
 
