@@ -124,7 +124,8 @@ def change_calls(
         called = {c.state.id for c in found if (c.type, c.automaton.id) == (caller_type, user_id)}
         user = find_automaton(project, caller_type, user_id)
         states = tuple(_changed(state, changed) if state.id in called else state for state in user.states)
-        project = with_automaton(project, caller_type, replace(user, states=states))
+        if states != user.states:  # who holds it by id does not mind its name
+            project = with_automaton(project, caller_type, replace(user, states=states))
     return project
 
 

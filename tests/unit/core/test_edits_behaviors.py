@@ -80,6 +80,12 @@ def test_a_rename_reaches_controllers_and_arms_and_keeps_the_id() -> None:
     assert sound(changed)
 
 
+def test_a_rename_leaves_the_very_automata_that_hold_the_behavior_by_its_id() -> None:
+    before = project()
+    changed = edits.rename_automaton(before, AGENT, "goto", "Approach")
+    assert changed.library(AGENT).get("forage") is before.library(AGENT).get("forage")
+
+
 def test_a_rename_reaches_controllers_of_controllers() -> None:
     shout = automaton("shout", state("all", "goto", {"target": Ground("deposit")}))
     with_squads = project()
