@@ -65,6 +65,7 @@ class Pace:
     def delay(self, session: Timed) -> float | None:
         """Seconds until ticks are due, not sooner than a slice after the last; None if none are before a command."""
         if not session.playing:
+            self._stop()  # nobody may ask for ticks again, where those that were due have passed
             return None
         if session.due or session.speed is None:
             return 0.0

@@ -180,6 +180,15 @@ def test_the_rate_is_measured_over_half_a_second_or_so() -> None:
     assert loop.pace.rate == pytest.approx(300.0, rel=0.05)
 
 
+def test_the_rate_is_zero_once_all_ticks_have_passed_that_were_due() -> None:
+    loop = Loop(FakeSession(speed=0.0, due=5_000), cost=1e-3)
+    loop.go_on(2.0)
+    assert loop.pace.rate > 0.0
+    loop.go_on(30.0)
+    assert loop.session.due == 0
+    assert loop.pace.rate == 0.0
+
+
 def test_the_rate_is_zero_when_paused() -> None:
     loop = Loop(FakeSession(1.0))
     loop.go_on(1.0)
