@@ -4,8 +4,9 @@ Nothing here throws an example away except taking back the very pick that record
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from math import isfinite
+from operator import attrgetter
 
 from ..automaton import Automaton, State
 from ..errors import EditError
@@ -154,7 +155,7 @@ def enable_examples(
     automaton, wanted = find_automaton(project, type_name, automaton_id), set(example_ids)
     enabled = [e for e in project.examples_of(type_name, automaton_id) if e.id in wanted]
     refuse_states(automaton, dict.fromkeys(state for e in enabled for state in (e.source, e.label)))
-    return _change_examples(project, type_name, automaton_id, example_ids, lambda e: replace(e, enabled=True))
+    return _change_examples(project, type_name, automaton_id, example_ids, lambda e: _but(e, enabled=True))
 
 
 @says("Disable examples of {automaton_id}")
@@ -162,9 +163,7 @@ def disable_examples(
     project: Project, type_name: str, automaton_id: str, example_ids: Collection[str]
 ) -> Project:
     """Keep these examples, but do not learn from them."""
-    return _change_examples(
-        project, type_name, automaton_id, example_ids, lambda e: replace(e, enabled=False)
-    )
+    return _change_examples(project, type_name, automaton_id, example_ids, lambda e: _but(e, enabled=False))
 
 
 @says("Relabel examples of {automaton_id}")
@@ -175,7 +174,7 @@ def relabel_examples(
     refuse_states(find_automaton(project, type_name, automaton_id), [label])
 
     def relabeled(example: Example) -> Example:
-        return replace(example, label=label, continuation=example.continuation and label == example.source)
+        return _but(example, label=label, continuation=example.continuation and label == example.source)
 
     return _change_examples(project, type_name, automaton_id, example_ids, relabeled)
 
@@ -187,9 +186,7 @@ def weight_examples(
     """Let each of these examples count as much as *weight* examples; above 0."""
     if not (isfinite(weight) and weight > 0.0):
         raise EditError(f"the weight is {weight}; allowed: above 0. To leave an example out, disable it")
-    return _change_examples(
-        project, type_name, automaton_id, example_ids, lambda e: replace(e, weight=weight)
-    )
+    return _change_examples(project, type_name, automaton_id, example_ids, lambda e: _but(e, weight=weight))
 
 
 @says("Measure features of {automaton_id} again")
@@ -229,6 +226,18 @@ def _change_examples(
         )
     new = tuple(changed(e) if e.id in wanted else e for e in examples)
     return with_examples(project, type_name, automaton_id, new) if wanted else project
+
+
+def _but(example: Example, **changes: object) -> Example:
+    """`dataclasses.replace` in half the time: thousands of examples are changed at once."""
+    values = list(_VALUES(example))
+    for name, value in changes.items():
+        values[_PLACES[name]] = value
+    return Example(*values)
+
+
+_PLACES = {each.name: place for place, each in enumerate(fields(Example))}
+_VALUES = attrgetter(*_PLACES)
 
 
 def _refuse_examples(automaton: Automaton, examples: Iterable[Example]) -> None:
