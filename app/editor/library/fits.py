@@ -100,27 +100,33 @@ def _trees(model: object) -> tuple[Tree, ...]:
 @dataclass(frozen=True, slots=True, eq=False)
 class _Known:
     made_of: tuple[object, ...]
+    states: tuple[str, ...]
     fit: Fit
 
     def holds(self, project: Project, key: Key) -> bool:
         if key[1] not in project.library(key[0]).automata:
             return False
         made_of = _made_of(project, key)
-        return all(old is new for old, new in zip(self.made_of, made_of, strict=True))
+        same = all(old is new for old, new in zip(self.made_of, made_of, strict=True))
+        return same and self.states == _states(project, key)
 
 
 def _made_of(project: Project, key: Key) -> tuple[object, ...]:
-    """All that a fit depends on: not the automaton's name, nor how it is drawn or noted."""
+    """All that a fit depends on, besides states: not the automaton's name, nor how it is drawn or noted."""
     automaton = project.library(key[0]).get(key[1])
     return (
         automaton.features,
-        automaton.states,
         automaton.settings,
         automaton.cuts,
         automaton.learned,
         automaton.learned_from,
         project.examples_of(*key),
     )
+
+
+def _states(project: Project, key: Key) -> tuple[str, ...]:
+    """What a fit depends on of states, as learning does: what they hold, and so what they are called, may change."""
+    return tuple(state.id for state in project.library(key[0]).get(key[1]).states)
 
 
 def _keys(project: Project) -> list[Key]:
@@ -188,7 +194,8 @@ class Fits(QObject):
         for key in keys:
             if cancelled():
                 return
-            self._done.append((key, _Known(_made_of(project, key), fit_of(project, scenario, key))))
+            fit = fit_of(project, scenario, key)
+            self._done.append((key, _Known(_made_of(project, key), _states(project, key), fit)))
             self._ready.emit()
 
     def _take(self) -> None:

@@ -63,6 +63,7 @@ def test_a_name_changes_no_fit_and_a_disabled_example_that_of_its_behavior(
     fits.follow(renamed, vocabulary())
     with qtbot.waitSignal(fits.changed, timeout=PATIENCE) as changed:
         fits.follow(disable_examples(renamed, *KEY, ["1"]), vocabulary())
+    qtbot.waitUntil(lambda: not fits._worker.busy)  # whatever else it works out is there by then
     assert changed.args == [(KEY,)]
     assert worked_out == [KEY]
     assert known(fits).stale
