@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, Qt
@@ -30,6 +31,7 @@ class RunsTable(QAbstractTableModel):
     def __init__(self) -> None:
         super().__init__()
         self.rows: list[Row] = []
+        self._placed: list[Row] = []  # the same, cell by cell
         self._experiment: Experiment | None = None
         self._cells: tuple[Cell, ...] = ()
         self._measures: tuple[str, ...] = ()
@@ -50,7 +52,8 @@ class RunsTable(QAbstractTableModel):
         self.beginResetModel()
         self._experiment, self._cells, self._measures = experiment, experiment.cells(), measures
         self._there = {(row.cell, row.run) for row in rows}
-        self.rows = self._ordered(rows)
+        self._placed = sorted(rows, key=_place)
+        self.rows = self._ordered()
         self.endResetModel()
 
     def _add(self, new: Sequence[Row]) -> None:
@@ -58,6 +61,7 @@ class RunsTable(QAbstractTableModel):
         self.rows += new
         self._there |= {(row.cell, row.run) for row in new}
         self.endInsertRows()
+        self._placed = sorted([*self._placed, *new], key=_place)
         self._arrange()
 
     # -------------------------------------------------------------------------------------------- sorting
@@ -67,15 +71,14 @@ class RunsTable(QAbstractTableModel):
         self._sorted_by = column, order
         self._arrange()
 
-    def _ordered(self, rows: Sequence[Row]) -> list[Row]:
+    def _ordered(self) -> list[Row]:
         column, order = self._sorted_by
-        ordered = sorted(rows, key=_place)
-        if 0 <= column < self.columnCount():
-            ordered.sort(key=self._keys()[column], reverse=order is Qt.SortOrder.DescendingOrder)
-        return ordered
+        if not 0 <= column < self.columnCount():
+            return list(self._placed)
+        return sorted(self._placed, key=self._keys()[column], reverse=order is Qt.SortOrder.DescendingOrder)
 
     def _arrange(self) -> None:
-        ordered = self._ordered(self.rows)
+        ordered = self._ordered()
         self.layoutAboutToBeChanged.emit()
         before = self.persistentIndexList()
         moved = [self.rows[index.row()] for index in before]
@@ -93,11 +96,11 @@ class RunsTable(QAbstractTableModel):
 
         return [
             _place,
-            lambda row: row.run,
-            lambda row: row.seed,
+            attrgetter("run"),
+            attrgetter("seed"),
             *(measured(name) for name in self._measures),
-            lambda row: row.stalled,
-            lambda row: row.seconds,
+            attrgetter("stalled"),
+            attrgetter("seconds"),
         ]
 
     # ---------------------------------------------------------------------------------------- as a model
