@@ -115,6 +115,8 @@ class ExamplesModel(QAbstractTableModel):
         Args:
             passes: Show only those that pass; by what `keep` was told last, if it is not given.
         """
+        if _named(subject) != _named(self.subject):
+            self._verdicts = {}  # those are on others with the same ids
         self.subject = subject
         self._all = examples
         self._passes = passes or self._passes
@@ -286,6 +288,10 @@ class ExamplesModel(QAbstractTableModel):
         ]
         kind = "it goes on doing what was just picked" if example.continuation else "a pick"
         return "\n".join([f"example {example.id}, {kind}", *told])
+
+
+def _named(subject: Subject | None) -> tuple[str, str] | None:
+    return None if subject is None else (subject.type, subject.automaton.id)
 
 
 def states_of(subject: Subject) -> Sequence[tuple[str, str]]:

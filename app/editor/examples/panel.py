@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
@@ -53,6 +53,8 @@ _WIDTHS = {
     Column.DEMONSTRATION: 112,
     Column.WEIGHT: 64,
 }
+#: Milliseconds without another change before examples are judged: ten thousand take a while, and what is shown goes first.
+PATIENCE = 120
 #: Pixels that the words get where room is short.
 LEAST_WORDS = 160
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
@@ -108,6 +110,7 @@ class ExamplesPanel(QWidget):
         self._lay_out()
         self._shown: tuple[object, object] = (None, None)
         self._cursor = "", 0  # an example and a column
+        self._matter: Matter | None = None
         self._selecting = False
         self._closed = False
         self._connect()
@@ -159,6 +162,8 @@ class ExamplesPanel(QWidget):
     def _connect(self) -> None:
         studio = self._studio
         self._soon = Soon(self, self.refresh)
+        self._judge_soon = QTimer(self, interval=PATIENCE, singleShot=True)
+        self._judge_soon.timeout.connect(self._judge)
         for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
             signal.connect(self._soon.ask)
         self.table.edit_ended.connect(self._soon.ask)
@@ -173,6 +178,7 @@ class ExamplesPanel(QWidget):
     def _close(self) -> None:
         """Ask no more: whatever still changes while the window closes is not judged."""
         self._closed = True
+        self._judge_soon.stop()
         self._worker.close()
 
     # --------------------------------------------------------------------------------------------- showing
@@ -192,8 +198,13 @@ class ExamplesPanel(QWidget):
         self._selecting = False
         self._pages.setCurrentIndex(1 if examples else 0)
         self._say_counts()
-        if subject is not None and not self._closed:
-            self._worker.ask(Matter(subject.automaton, examples))
+        self._matter = None if subject is None else Matter(subject.automaton, examples)
+        if not self._closed:
+            self._judge_soon.start()
+
+    def _judge(self) -> None:
+        if self._matter is not None:
+            self._worker.ask(self._matter)
 
     def _subject(self) -> tuple[Subject | None, tuple[Example, ...]]:
         document, shown = self._studio.document, self._studio.selection.behavior
@@ -220,6 +231,8 @@ class ExamplesPanel(QWidget):
 
     def _take_verdicts(self) -> None:
         for judged in self._worker.answers():
+            if judged.matter is not self._matter:
+                continue  # something else is shown by now, and will be judged
             self.model.judge(judged.verdicts)
             if self.filters.verdict.currentData() is not None:
                 self._filter()
