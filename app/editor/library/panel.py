@@ -346,8 +346,8 @@ class LibraryPanel(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """The down arrow goes from the filter to what was found, as Enter does."""
-        pressed = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress
-        if watched is self.filter and pressed and event.key() == Qt.Key.Key_Down:
+        down = QEvent.Type.KeyPress, Qt.Key.Key_Down
+        if watched is self.filter and isinstance(event, QKeyEvent) and (event.type(), event.key()) == down:
             self._enter_tree()
             return True
         return super().eventFilter(watched, event)
