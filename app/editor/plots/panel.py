@@ -189,9 +189,7 @@ class PlotsPanel(QWidget):
             from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
 
             self.view = LinesView(self._studio.theme)
-            self._room.addWidget(
-                self.view.legend
-            )  # in a row of its own: beside the boxes it would be cut off
+            self._room.addWidget(self.view.legend)  # in its own row: beside the boxes it would be cut off
             self._room.addWidget(self.view, 1)
         return self.view
 
