@@ -16,7 +16,11 @@ def environment() -> Mapping[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)}
 
 
-def step_back() -> None:
-    """Leave the cores to the window where both want them; called in the process that was started."""
+def step_back(by: int) -> None:
+    """Leave the cores to the window where both want them; called in the process that was started.
+
+    Args:
+        by: How far, from 1 to 19: 5 where the user waits for it, more where many things are to be done.
+    """
     if hasattr(os, "nice"):
-        os.nice(10)
+        os.nice(by)

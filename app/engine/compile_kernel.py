@@ -18,7 +18,7 @@ from .scenarios import found_again
 def main(name: str, module: str, path: str, physics: str, folder: str) -> None:
     """Compile; what numba refuses leaves the reason in the folder instead of a kernel."""
     Thread(target=_watch_parent, args=(folder,), daemon=True).start()
-    step_back()
+    step_back(5)
     from ..sim.kernel import ahead  # noqa: PLC0415 - the watch is to be on while numba is imported
 
     try:

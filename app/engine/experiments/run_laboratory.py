@@ -23,7 +23,7 @@ GLANCE = 0.1
 def main() -> None:
     """Carry out what is ordered."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the window decides what it means
-    step_back()
+    step_back(10)
     orders, looks = sys.stdin.buffer, _private_output()
     order: Order = heard(orders)
     try:
