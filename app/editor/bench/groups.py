@@ -88,9 +88,9 @@ def stalls(order: Order) -> Figures:
 
 def runs(order: Order) -> Figures:
     """Many runs in the window of experiments."""
-    ticks = 10 * experiments.TICKS if order.full else experiments.TICKS
+    seconds = None if order.full else experiments.SHORT / order.shrink
     with stage() as shown:
-        late = experiments.lateness(shown, order.project, order.much(experiments.RUNS, 6), ticks)
+        late = experiments.lateness(shown, order.project, order.much(experiments.RUNS, 6), seconds)
     return {"longest": 1000.0 * max(late), "most": 1000.0 * percentile(late, 0.99)}
 
 
