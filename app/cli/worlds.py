@@ -12,6 +12,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPool
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import get_context, parent_process
 
 from ..engine.cores import cores
@@ -96,18 +97,15 @@ def _made(shop: Workshop, board: Board, index: int, plan: Plan) -> RunResult:
 
 def _in_threads(shop: Workshop, plans: Sequence[Plan], count: int, advance: Advance) -> Made:
     board = [0] * (len(plans) + 1)
-    with ThreadPoolExecutor(count, thread_name_prefix="world") as pool:
-        futures = [pool.submit(_made, shop, board, index, plan) for index, plan in enumerate(plans)]
-        return _gathered(pool, futures, plans, board, advance)
+    pool = ThreadPoolExecutor(count, thread_name_prefix="world")
+    return _gathered(pool, partial(_made, shop, board), plans, board, advance)
 
 
 def _in_processes(bench: Bench, plans: Sequence[Plan], count: int, advance: Advance) -> Made:
     context = get_context("spawn")
     board: Board = context.Array("q", len(plans) + 1, lock=False)
-    with ProcessPoolExecutor(count, context, _begin, (bench, board)) as pool:
-        with _deaf_to_interrupts():  # what is started meanwhile stays so
-            futures = [pool.submit(_made_in_worker, index, plan) for index, plan in enumerate(plans)]
-        return _gathered(pool, futures, plans, board, advance)
+    pool = ProcessPoolExecutor(count, context, _begin, (bench, board))
+    return _gathered(pool, _made_in_worker, plans, board, advance)
 
 
 # ------------------------------------------------------------------------------------------------------ gathering
@@ -115,33 +113,36 @@ def _in_processes(bench: Bench, plans: Sequence[Plan], count: int, advance: Adva
 
 def _gathered(
     pool: Executor,
-    futures: Sequence[Future[RunResult]],
+    make: Callable[[int, Plan], RunResult],
     plans: Sequence[Plan],
     board: Board,
     advance: Advance,
 ) -> Made:
     """Wait for all runs, or stop them; when this returns or raises, nothing runs any more."""
+    futures: list[Future[RunResult]] = []
+    interrupted = False
     try:
-        interrupted = _watched(futures, lambda: advance(sum(board[:-1])))
+        with _held_interrupts():
+            futures += [pool.submit(make, index, plan) for index, plan in enumerate(plans)]
+        _watch(futures, lambda: advance(sum(board[:-1])))
+    except KeyboardInterrupt:
+        interrupted = True
     finally:
         board[-1] = 1
         pool.shutdown(wait=True, cancel_futures=True)
-    return [_result(future, plan) for future, plan in zip(futures, plans, strict=True)], interrupted
+    made = [_result(future, plan) for future, plan in zip(futures, plans, strict=False)]
+    return made + [None] * (len(plans) - len(made)), interrupted
 
 
-def _watched(futures: Sequence[Future[RunResult]], glance: Callable[[], None]) -> bool:
-    """Wait for all, looking now and then; true if the user interrupted that. The first error of a run is raised."""
-    try:
-        running = set(futures)
-        while running:
-            done, running = wait(running, GLANCE)
-            for future in done:
-                if not isinstance(future.exception(), BrokenProcessPool):
-                    future.result()
-            glance()
-    except KeyboardInterrupt:
-        return True
-    return False
+def _watch(futures: Sequence[Future[RunResult]], glance: Callable[[], None]) -> None:
+    """Wait for all, looking now and then. The first error of a run is raised."""
+    running = set(futures)
+    while running:
+        done, running = wait(running, GLANCE)
+        for future in done:
+            if not isinstance(future.exception(), BrokenProcessPool):
+                future.result()
+        glance()
 
 
 def _result(future: Future[RunResult], plan: Plan) -> RunResult | None:
@@ -183,9 +184,15 @@ def _made_in_worker(index: int, plan: Plan) -> RunResult:
 
 
 @contextmanager
-def _deaf_to_interrupts() -> Iterator[None]:
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _held_interrupts() -> Iterator[None]:
+    """Ctrl-C comes at the end of this. Processes that are started meanwhile never hear of it."""
+    heard: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         signal.signal(signal.SIGINT, before)
+    if heard:
+        raise KeyboardInterrupt
