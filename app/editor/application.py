@@ -51,8 +51,8 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     application = make_application()
     window = make_window(application, chosen)
     runs = RunWindows(application, window)
-    signal.signal(signal.SIGINT, lambda *_: window.close())
-    signal.signal(signal.SIGTERM, lambda *_: window.close())
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: close_when_told(window))
     window.show()
     window.studio.opened.connect(window.guide.offer)
     if project is not None:
@@ -61,6 +61,12 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     code = application.exec()
     runs.close()
     return code
+
+
+def close_when_told(window: MainWindow) -> None:
+    """Close, as if the user did; what is unsaved is kept first, since who tells may not wait until the user has answered."""
+    window.files.autosaving.keep()
+    window.close()
 
 
 class RunWindows:

@@ -17,6 +17,7 @@ from pytestqt.qtbot import QtBot
 from app.core.edits import add_automaton, note_project
 from app.core.project import Project
 from app.core.storage import FilesError, Problem, load, save
+from app.editor.application import close_when_told
 from app.editor.documents import autosaves, claims, opening, private
 from app.editor.documents.asking import Question
 from app.editor.documents.claims import Owner
@@ -461,6 +462,17 @@ def test_what_a_killed_window_had_autosaved_is_offered_and_recovering_it_can_be_
     assert load(folder).note == "nearly lost"
     idle(desk, qtbot)
     assert not (folder / NAME / "autosave").exists()
+
+
+def test_a_window_that_is_told_to_end_keeps_what_is_unsaved_before_it_asks(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    opened(desk, qtbot, folder)
+    desk.studio.document.do(note_project, "nearly lost")
+    close_when_told(desk)
+    assert question(desk, qtbot).isVisible()
+    qtbot.waitUntil(lambda: desk.studio.document.autosaved is not None, timeout=PATIENCE)
+    assert (folder / NAME / "autosave").exists()
 
 
 def test_a_project_that_was_never_saved_is_offered_after_a_crash(
