@@ -20,8 +20,9 @@ from .studio import Studio
 from .theme import Theme
 from .window.main_window import MainWindow
 
-#: Seconds after which a thread that computes lets the window have its turn; Python's own is five times as long.
-SWITCH = 0.001
+#: Seconds after which a thread that computes lets the window have its turn. Qt gives its turn away at nearly every call, so
+#: what is painted by fifty calls waits fifty times as long while another thread runs Python; Python's own is 0.005.
+SWITCH = 0.00025
 #: Looking through all objects for garbage stops every thread, for a tenth of a second in a large world, and reference
 #: counts free nearly everything anyway: young objects are looked through after so many, old ones hardly ever.
 GARBAGE = (5_000, 10, 1_000)

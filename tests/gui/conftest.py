@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from app.core.project import Project
 from app.core.storage import load
+from app.editor.application import SWITCH
 from app.editor.settings import Settings
 from app.editor.studio import Studio
 from app.editor.theme import Theme, ThemeMode
@@ -35,7 +36,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def responsive() -> Iterator[None]:
     """Threads take turns as often as they do in the studio."""
     before = sys.getswitchinterval()
-    sys.setswitchinterval(0.001)
+    sys.setswitchinterval(SWITCH)
     yield
     sys.setswitchinterval(before)
 
