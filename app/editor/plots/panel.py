@@ -21,6 +21,7 @@ from ...core.wording import node_words, state_words
 from ..actions import ActionRow
 from ..diagram.label_colors import state_colors
 from ..palette import BASIC
+from ..soon import Soon
 from .record import Point, Record
 from .series import BehaviorShares, LineKey, Lines, MeasureOf, StateShares, Subject, rows_below
 
@@ -54,8 +55,9 @@ class PlotsPanel(QWidget):
         studio.bridge.snapshot_changed.connect(self._take)
         studio.bridge.place_changed.connect(self._another_world)
         studio.opened.connect(self._another_world)
-        studio.selection.nodes_changed.connect(self._offer)
-        studio.selection.behavior_changed.connect(self._offer)
+        self._soon = Soon(self, self._offer)
+        studio.selection.nodes_changed.connect(self._soon.ask)
+        studio.selection.behavior_changed.connect(self._soon.ask)
         studio.colors.changed.connect(self._choose)
         studio.theme.changed.connect(self._choose)
         self.what.activated.connect(lambda _: self._choose())

@@ -60,7 +60,7 @@ def test_the_share_of_states_and_every_measure_can_be_chosen(panel: PlotsPanel, 
 
 def test_a_group_can_be_plotted_by_itself(window: MainWindow, panel: PlotsPanel, qtbot: QtBot) -> None:
     window.studio.selection.select_nodes(["group-2"])
-    assert panel.whom.count() == 2
+    qtbot.waitUntil(lambda: panel.whom.count() == 2, timeout=PATIENCE)
     panel.whom.setFocus()
     qtbot.keyClick(panel.whom, Qt.Key.Key_Down)
     qtbot.waitUntil(lambda: bool(curves(panel)), timeout=PATIENCE)
