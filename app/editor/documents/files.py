@@ -91,7 +91,8 @@ class Files(QObject):
         look: str = "help-circle-outline",
         standard: int = 0,
     ) -> Question:
-        """Ask the user in the window; see `Question`."""
+        """Ask the user in the window, who has to wait for nothing meanwhile; see `Question`."""
+        self.waiting.emit("")
         question = Question(self._window, self.studio.theme, title, text, answers, details, look)
         question.buttons[standard].setDefault(True)
         question.buttons[standard].setFocus()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -155,22 +154,9 @@ class Opening:
             told += f" What was autosaved at {clock(found.kept.at)} can be opened instead."
         self._files.ask("This project cannot be opened", told, answers, listed, "alert-circle-outline")
 
-    def _ask(
-        self,
-        title: str,
-        text: str,
-        answers: Sequence[Answer],
-        details: str = "",
-        look: str = "help-circle-outline",
-        standard: int = 0,
-    ) -> None:
-        """Ask the user, who has to wait for nothing meanwhile."""
-        self._files.waiting.emit("")
-        self._files.ask(title, text, answers, details, look, standard)
-
     def _ask_shared(self, wish: Wish, found: Found, other: Owner) -> None:
         goes_on = partial(replace, wish, shared=True)
-        self._ask(
+        self._files.ask(
             "Another window has this project open",
             f"{wish.folder} is open {whose(other)}. If both save, each finds what the other changed and asks which "
             "of the two is to stay.",
@@ -186,7 +172,7 @@ class Opening:
         )
 
     def _ask_trust(self, wish: Wish, found: Found) -> None:
-        self._ask(
+        self._files.ask(
             "This project carries code",
             f"Opening it runs {wish.folder / OWN_CODE}, which can do whatever you can do on this machine. Read it, and "
             "open the project only if you trust whoever wrote it.",
@@ -206,7 +192,7 @@ class Opening:
             autosaves.discard(kept.private)
             self._found(wish, replace(found, kept=None))
 
-        self._ask(
+        self._files.ask(
             "Understudy ended without saving this project",
             f"What was autosaved at {clock(kept.at)} can be recovered. It becomes a step that can be undone, which gives "
             "back the project as it was saved.",
