@@ -55,7 +55,7 @@ class Bridge(QObject):
     Signals:
         snapshot_changed: A newer snapshot is there, at most once a frame.
         place_changed: The world is another one, with other nodes or parameters.
-        mode_changed: Teaching, testing, learning or running; or playing and pausing.
+        mode_changed: Teaching, testing, learning or running; playing and pausing; or whether time has passed at all.
         event_came: Anything that happened in the session, after the document has taken it in.
         told: Something did not go as asked; the message says what and why.
     """
@@ -219,5 +219,5 @@ class Bridge(QObject):
 
 
 def _mode(snapshot: Snapshot) -> object:
-    lesson = snapshot.lesson
-    return snapshot.mode, snapshot.speed, snapshot.failure, None if lesson is None else lesson.plan
+    plan = None if snapshot.lesson is None else snapshot.lesson.plan
+    return snapshot.mode, snapshot.speed, snapshot.failure, plan, snapshot.tick > 0

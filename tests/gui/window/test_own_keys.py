@@ -46,6 +46,12 @@ def agents(window: MainWindow) -> QWidget:
     return panel.tree
 
 
+def test_after_a_single_step_the_beginning_can_be_gone_to(window: MainWindow, qtbot: QtBot) -> None:
+    assert not window.studio.actions["run.begin"].isEnabled()
+    window.studio.bridge.send(Step(1))
+    qtbot.waitUntil(window.studio.actions["run.begin"].isEnabled, timeout=PATIENCE)
+
+
 @pytest.mark.parametrize("place", ["arm", "seed", "speed", "agents"])
 def test_home_stays_in_lists_boxes_sliders_and_fields(later: MainWindow, qtbot: QtBot, place: str) -> None:
     toolbar = later.toolbar
