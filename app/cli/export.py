@@ -31,6 +31,7 @@ class Request:
     form: str
     out: Path | None
     trust: bool
+    examples: bool = False
 
 
 def export_project(request: Request, *, as_json: bool) -> int:
@@ -67,14 +68,15 @@ def _refuse(request: Request, *, as_json: bool) -> None:
 
 def bundled(request: Request, opened: Opened) -> Project:
     """What is to leave the project."""
-    project, scenario = opened.project, opened.scenario
+    project, scenario, examples = opened.project, opened.scenario, request.examples
     if request.behavior is None:
-        return bundle_of_arm(project, scenario, chosen_arm(project, request.arm).name)
+        arm = chosen_arm(project, request.arm)
+        return bundle_of_arm(project, scenario, arm.name, examples=examples)
     found = named_behaviors(project, [request.behavior])
     if len(found) > 1:
         there = ", ".join(f"{type_name}/{request.behavior}" for type_name, _ in found)
         raise LibraryError(f"several types have a behavior {request.behavior!r}; name one of: {there}")
-    return bundle_of_behavior(project, scenario, *found[0])
+    return bundle_of_behavior(project, scenario, *found[0], examples=examples)
 
 
 def scenario_code(opened: Opened) -> str:

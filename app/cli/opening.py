@@ -39,7 +39,8 @@ def load_folder(folder: Path) -> Project:
         raise StorageError(f"{folder}: name the project's folder instead: {folder.parent}")
     if is_export(folder):
         raise StorageError(
-            f"{folder}: this is a file; a project is a folder. If it was exported, `understudy run {folder}` runs it"
+            f"{folder}: this is a file; a project is a folder. If it was exported, `understudy run {folder}` runs it, and "
+            f"`understudy import {folder} PROJECT` brings it into a project"
         )
     if folder.is_file():
         raise StorageError(f"{folder}: this is a file; a project is a folder that holds a project.json")

@@ -229,6 +229,7 @@ def run(
         "understudy export projects/foraging -o forager.json",
         "understudy export projects/foraging --arm 'two levels' -o two-levels.json",
         "understudy export projects/foraging agent/Wander > wander.json",
+        "understudy export projects/foraging Forage --examples -o forage.json",
     )
 )
 def export(
@@ -242,6 +243,10 @@ def export(
         str | None,
         typer.Option(help="Which arm, with its controllers and world.", show_default="the first"),
     ] = None,
+    with_examples: Annotated[
+        bool,
+        typer.Option("--examples", help="With all examples, so that it can be taught further elsewhere."),
+    ] = False,
     form: Annotated[str, typer.Option("--format", metavar="F", help="What to write: json.")] = "json",
     out: Annotated[
         Path | None,
@@ -253,7 +258,35 @@ def export(
     """Write an arm or a behavior into one self-contained file, which `understudy run FILE.json` runs to the same results."""
     from .export import Request, export_project
 
-    return export_project(Request(project, behavior, arm, form, out, trust), as_json=as_json)
+    request = Request(project, behavior, arm, form, out, trust, with_examples)
+    return export_project(request, as_json=as_json)
+
+
+@verbs.command(
+    "import",
+    epilog=examples(
+        "understudy import forager.json my-project",
+        "understudy import two-levels.json my-project --arm --dry-run",
+    ),
+)
+def import_(
+    file: Annotated[Path, typer.Argument(metavar="FILE.json", help="An exported file.", dir_okay=False)],
+    project: ProjectFolder,
+    *,
+    arm: Annotated[bool, typer.Option("--arm", help="Its arm as well, with hierarchy and world.")] = False,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Say what would come, and leave the project as it is.")
+    ] = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> int:
+    """Bring what was exported into a project: the behaviors with all they use, those of controllers as well.
+
+    What the project has already is used; what only shares a name with something else comes under a new one.
+    """
+    from .importing import Request, import_into
+
+    return import_into(Request(file, project, arm, dry_run, trust), as_json=as_json)
 
 
 @verbs.command(

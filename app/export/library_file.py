@@ -31,7 +31,8 @@ FILE_ENDING = ".json"
 class ExportRecord(ProjectRecord):
     """The whole file: a project's own record, with the libraries beside it.
 
-    ``examples`` are those of models that are fitted again; ``scenario_code`` is the project's own scenario, if it has one.
+    ``examples`` are those of models that are fitted again, or all where they were wanted; ``scenario_code`` is the
+    project's own scenario, if it has one.
     """
 
     format: Literal["understudy export"]
