@@ -22,17 +22,17 @@ Role = Qt.ItemDataRole
 
 
 class Column(IntEnum):
-    """The columns, in order."""
+    """The columns, in order: what says and changes what is learned comes first."""
 
     ID = 0
     SOURCE = 1
     LABEL = 2
     WORDS = 3
-    NODE = 4
-    TICK = 5
-    DEMONSTRATION = 6
-    WEIGHT = 7
-    VERDICT = 8
+    VERDICT = 4
+    WEIGHT = 5
+    NODE = 6
+    TICK = 7
+    DEMONSTRATION = 8
 
 
 HEADERS: Mapping[Column, tuple[str, str]] = {

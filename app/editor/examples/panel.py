@@ -6,18 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import (
-    QAbstractItemDelegate,
-    QAbstractItemView,
-    QInputDialog,
-    QLabel,
-    QMenu,
-    QStackedLayout,
-    QTableView,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
 from ...engine.worker import Worker
@@ -25,9 +14,10 @@ from ..actions import ActionRow
 from ..icons import icon
 from ..row_spans import selected_rows, spans
 from ..soon import Soon
-from .delegates import HEAVIEST, LIGHTEST, LabelDelegate, WeightDelegate
+from .delegates import HEAVIEST, LIGHTEST
 from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, states_of
+from .table import ExamplesTable
 from .verdicts import Judge, Judged, Matter, Verdict
 
 if TYPE_CHECKING:
@@ -43,47 +33,9 @@ _ICONS = {
     Verdict.UNKNOWN: ("help", "dim"),
     Verdict.UNTOLD: ("help", "dim"),
 }
-_WIDTHS = {
-    Column.ID: 76,
-    Column.SOURCE: 112,
-    Column.LABEL: 112,
-    Column.VERDICT: 88,
-    Column.NODE: 76,
-    Column.TICK: 60,
-    Column.DEMONSTRATION: 112,
-    Column.WEIGHT: 64,
-}
 #: Milliseconds without another change before examples are judged: ten thousand take a while, and what is shown goes first.
 PATIENCE = 120
-#: Pixels that the words get where room is short.
-LEAST_WORDS = 160
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
-
-
-class _Table(QTableView):
-    """The words get what room the other columns leave, and some in any case.
-
-    Signals:
-        edit_ended: What was being edited in place is taken or given up.
-    """
-
-    edit_ended = Signal()
-
-    @property
-    def is_editing(self) -> bool:
-        """Whether something is being edited in place."""
-        return self.state() is QAbstractItemView.State.EditingState
-
-    def closeEditor(self, editor: QWidget, hint: QAbstractItemDelegate.EndEditHint) -> None:
-        """See above."""
-        super().closeEditor(editor, hint)
-        self.edit_ended.emit()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """See above."""
-        super().resizeEvent(event)
-        others = sum(self.columnWidth(column) for column in Column if column is not Column.WORDS)
-        self.setColumnWidth(Column.WORDS, max(LEAST_WORDS, self.viewport().width() - others))
 
 
 class ExamplesPanel(QWidget):
@@ -101,7 +53,7 @@ class ExamplesPanel(QWidget):
         self._studio = studio
         self.model = ExamplesModel()
         self.filters = FilterBar(self.model)
-        self.table = self._table()
+        self.table = ExamplesTable(self.model)
         self._worker = Worker(Judge().judge, lambda matter, _: Judged(matter, {}), self._judged.emit, "judge")
         self._empty = QLabel(EMPTY)
         self._empty.setProperty("role", "empty")
@@ -118,34 +70,6 @@ class ExamplesPanel(QWidget):
         studio.closing.connect(self._close)
         self._dress()
         self.refresh()
-
-    def _table(self) -> _Table:
-        table = _Table()
-        table.setModel(self.model)
-        table.setAccessibleName("examples")
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setEditTriggers(
-            QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed
-        )
-        table.setSortingEnabled(True)
-        table.sortByColumn(Column.ID, Qt.SortOrder.AscendingOrder)
-        table.setShowGrid(False)
-        table.setWordWrap(False)
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(24)
-        header = table.horizontalHeader()
-        header.setHighlightSections(False)
-        # Of its own, since nothing in it is shown: whether a whole column is selected, it would ask every row.
-        header.setSelectionModel(QItemSelectionModel(self.model, header))
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        for column, width in _WIDTHS.items():
-            table.setColumnWidth(column, width)
-        header.moveSection(Column.VERDICT, Column.NODE)  # seen without scrolling
-        table.setItemDelegateForColumn(Column.LABEL, LabelDelegate(self.model, table))
-        table.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(table))
-        table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        table.customContextMenuRequested.connect(self._menu)
-        return table
 
     def _lay_out(self) -> None:
         full = QWidget()
@@ -167,6 +91,7 @@ class ExamplesPanel(QWidget):
         for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
             signal.connect(self._soon.ask)
         self.table.edit_ended.connect(self._soon.ask)
+        self.table.customContextMenuRequested.connect(self._menu)
         studio.selection.examples_changed.connect(self._show_selected)
         studio.theme.changed.connect(self._dress)
         self.filters.changed.connect(self._filter)

@@ -238,3 +238,13 @@ def test_arrow_keys_go_on_from_where_they_were_after_an_edit(
     qtbot.waitUntil(lambda: panel.table.currentIndex().row() == 6, timeout=PATIENCE)
     qtbot.keyClick(panel.table, Qt.Key.Key_Up)
     assert window.studio.selection.examples == (panel.model.example(5).id,)
+
+
+def test_the_weight_of_an_example_is_seen_without_scrolling_in_a_small_window(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    window.resize(1280, 800)
+    qtbot.waitUntil(lambda: window.width() == 1280)
+    have_done_what_is_due()
+    seen = panel.table.visualRect(panel.model.index(0, Column.WEIGHT))
+    assert panel.table.viewport().rect().contains(seen)
