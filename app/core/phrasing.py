@@ -108,6 +108,8 @@ NO_VERBS = frozenset(
 VERBS = re.compile(r" (is|are|has|have|lies|lie|does|do|needs|need|can|was|were) ")
 #: Letters by themselves are called by their names.
 BEGINS_WITH_VOWEL = re.compile(r"[aeioAEIO]|[uU][^ns]|[FHLMNRSX]\b")
+#: So many digits are read at most where two numbers are to be told apart; closer ones are one for people.
+MOST_DIGITS = 6
 PLURALS = {"is": "are", "has": "have", "does": "do", "was": "were", "goes": "go", "its": "their"}
 
 
@@ -195,12 +197,12 @@ def number(value: float, digits: int = 3) -> str:
 
 
 def apart(low: float, high: float) -> tuple[str, str]:
-    """Two different numbers with as many digits as it takes to tell them apart, three at least."""
-    for digits in range(3, 17):
+    """Two numbers with as many digits as it takes to tell them apart, three at least; as one, if it takes too many."""
+    for digits in range(3, MOST_DIGITS + 1):
         pair = number(low, digits), number(high, digits)
         if pair[0] != pair[1]:
-            break
-    return pair
+            return pair
+    return number(low), number(high)
 
 
 def in_degrees(feature: Feature) -> bool:

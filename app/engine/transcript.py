@@ -48,6 +48,8 @@ class Transcript:
     def teach(self, plan: Teach, tick: int) -> None:
         """Nodes are taught from this tick on."""
         before, self._plan = self._plan, plan
+        if before is not None and self._is_as_begun(tick):
+            before, self._acts, self._added = None, [], {}
         if before is None:
             if self._edited and tick > 0:
                 self.spoil(f"the project was changed while the world ran. {AGAIN}")
@@ -61,6 +63,10 @@ class Transcript:
                 self.spoil(f"others were taught at the same tick before. {AGAIN}")
             return  # it was asked for twice
         self._acts += acts
+
+    def _is_as_begun(self, tick: int) -> bool:
+        """Whether the world is as it began, however often somebody was about to be taught in it."""
+        return tick == 0 and all(act.act == "teach" for act in self._acts)
 
     def test(self, tick: int) -> None:
         """What was taught is learned and tested."""

@@ -148,8 +148,11 @@ class Hand(QObject):
     def choose(self, at: Pointer) -> bool:
         """Choose what is there, for who has asked; whether it was one of those that can be chosen."""
         entity, choice = self.entity_at(at), self.choice
-        if entity < 0 or choice is None:
-            return choice is None
+        if choice is None:
+            return True
+        if entity < 0:
+            self.say(f"nothing is at that place; {choice.prompt}")
+            return False
         if not choice.accept(entity):
             self.say(f"this cannot be chosen; {choice.prompt}")
             return False

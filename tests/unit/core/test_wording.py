@@ -116,6 +116,7 @@ def arc(feature: str, start: float, end: float, *, wanted: bool = True) -> Condi
         ((above("away", 5.0001), within("away", 5.0002)), "between 5.0001 and 5.0002 from deposit"),
         ((arc("toward", -180, 2.82e-15),), "deposit lies between -180 and 0 degrees"),
         ((arc("toward", -10, 10),), "deposit lies between -10 and 10 degrees"),
+        ((arc("toward", -12.185033067, -12.185033067 + 1e-12),), "deposit lies between -12.2 and -12.2 degrees"),
         ((arc("toward", -10, 10, wanted=False),), "deposit does not lie between -10 and 10 degrees"),
         ((arc("toward", 170, -170),), "deposit does not lie between -170 and 170 degrees"),
         ((arc("toward", 0, -180),), "deposit lies between 0 and 180 degrees"),

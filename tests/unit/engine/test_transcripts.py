@@ -255,6 +255,12 @@ def test_what_playing_would_not_repeat_is_said(spoil: object, why: str) -> None:
     assert lesson_view.obstacle == driver.obstacle
 
 
+def test_a_lesson_in_which_nothing_was_done_does_not_keep_the_next_from_being_kept() -> None:
+    driver = Driver().teach("agent-1", "Shuttle", demonstration="shuttle-1").run()
+    driver.teach("agent-1", "Seek", demonstration="s", target="lamp").pick("Up").advance()
+    check(driver, (SHUTTLE[0], "Seek"))
+
+
 def test_another_world_can_be_taught_in_again() -> None:
     driver = lesson().pick("up").advance(2).run().reset()
     driver.teach("agent-1", "Shuttle", demonstration="shuttle-2").pick("down").advance()
