@@ -19,6 +19,14 @@ if TYPE_CHECKING:
 
 #: Menus in the order in which they stand.
 MENUS = ("File", "Edit", "View", "Behavior", "Teach", "Run", "Experiment", "Help")
+#: Groups of a menu that open from it, under these words: a menu with all of their rows would be higher than a low screen.
+SUBMENUS = {
+    ("View", "panels"): "Panels",
+    ("Behavior", "graph"): "Automaton",
+    ("Behavior", "states"): "Automaton",
+    ("Behavior", "tree"): "Decision tree",
+    ("Behavior", "examples"): "Examples",
+}
 
 
 def always(_studio: Studio) -> bool:
@@ -39,7 +47,7 @@ class ActionRow:
         id: Stable, such as ``run.play``: settings keep shortcuts by it.
         text: What menu and palette say; an ellipsis where a dialog asks for more.
         menu: One of `MENUS`; empty where it is only on a button or in a context menu. It is in the palette anyway.
-        group: Rows of one menu with another group are parted by a line.
+        group: Rows of one menu with another group are parted by a line, or open by themselves (`SUBMENUS`).
         keys: Shortcut, such as ``Ctrl+K``.
         tip: A sentence for tool tips and the status bar.
         icon: Name in the icon family.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -41,17 +42,23 @@ What = str | BehaviorKey
 
 
 def export_bundle(
-    project: Project, scenario: Scenario, folder: Path | None, what: What, path: Path
+    project: Project,
+    scenario: Scenario,
+    folder: Path | None,
+    what: What,
+    path: Path,
+    *,
+    examples: bool = False,
 ) -> Project:
-    """Export *what* into the file at *path*; returns what is in it.
+    """Export *what* into the file at *path*, with all its *examples* or without; returns what is in it.
 
     Raises:
         UnderstudyError: It cannot run as it is, or the file cannot be written.
     """
     if isinstance(what, BehaviorKey):
-        bundle = bundle_of_behavior(project, scenario, what.type, what.id)
+        bundle = bundle_of_behavior(project, scenario, what.type, what.id, examples=examples)
     else:
-        bundle = bundle_of_arm(project, scenario, what)
+        bundle = bundle_of_arm(project, scenario, what, examples=examples)
     if bundle.arms:
         refuse(bundle, scenario.vocabulary, bundle.arms[0].name)
     write(Exported(bundle, _code(project, folder)), path)
@@ -75,6 +82,7 @@ class ExportDialog(QDialog):
     Attributes:
         what: The arms and behaviors to choose from.
         path: The file.
+        examples: Whether all examples go into it as well.
     """
 
     def __init__(self, studio: Studio, parent: QWidget) -> None:
@@ -93,6 +101,10 @@ class ExportDialog(QDialog):
         self.browse = QPushButton("Browse…")
         self.browse.setToolTip("Choose the file")
         self.browse.clicked.connect(self._browse)
+        self.examples = QCheckBox("With all examples, so that it can be taught further elsewhere")
+        self.examples.setToolTip(
+            "The moments they were recorded in stay behind: features that are added later lack their values"
+        )
         self.trouble = Complaint(studio.theme)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -112,18 +124,20 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.addRow("What", self.what)
         form.addRow("File", line)
+        form.addRow("", self.examples)
         column = QVBoxLayout(self)
         column.addWidget(
             caption(
                 "One JSON file with all that is needed and no more: an arm with its controllers, agents and world, or a "
-                "behavior with what it uses. understudy run FILE.json runs it to the same results, without the project."
+                "behavior with what it uses. understudy run FILE.json runs it to the same results, without the project; "
+                "File > Import behaviors… brings it into another one."
             )
         )
         column.addLayout(form)
         column.addWidget(self.trouble)
         column.addStretch(1)
         column.addWidget(self.buttons)
-        self.resize(560, 210)
+        self.resize(560, 240)
 
     def _offers(self) -> list[tuple[str, What]]:
         """The arm that is shown first, then the behavior that is, then all others."""
@@ -167,9 +181,10 @@ class ExportDialog(QDialog):
             )
             return
         project, scenario, folder = document.project, document.scenario, document.folder
+        examples = self.examples.isChecked()
         self.buttons.setEnabled(False)
         self._background.do(
-            lambda: export_bundle(project, scenario, folder, what, path),
+            lambda: export_bundle(project, scenario, folder, what, path, examples=examples),
             lambda bundle: self._done(bundle, path),
             self._failed,
         )
@@ -193,7 +208,7 @@ def export_rows(parent: QWidget) -> tuple[ActionRow, ...]:
             "Export…",
             "File",
             lambda studio: ExportDialog(studio, parent).open(),
-            "export",
+            "save",
             "Ctrl+Alt+E",
             "Write an arm or a behavior into one file that runs without the project",
             "export",

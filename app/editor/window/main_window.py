@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QMenu, QStackedWidget
+from PySide6.QtWidgets import QMainWindow, QStackedWidget
 
-from ..actions import MENUS, ActionRow, when_open
+from ..actions import ActionRow, when_open
 from ..canvas.view import WorldCanvas
 from ..command_palette.catalog import Catalog, Entry, catalog_of
 from ..command_palette.field import SearchField, palette_rows
@@ -20,6 +20,7 @@ from ..documents.recent_menu import RecentMenu
 from ..documents.welcome import WelcomePage
 from ..experiments.rows import Experiments
 from ..exporting.dialog import export_rows
+from ..exporting.import_dialog import import_rows
 from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
@@ -27,6 +28,7 @@ from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks, share_places, size_docks
 from .help_rows import help_rows
 from .keys import OwnKeys
+from .menu_bar import fill_menu_bar
 from .messages import MessageBar
 from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
@@ -73,7 +75,9 @@ class MainWindow(QMainWindow):
         studio.actions.add(
             (
                 *self.files.rows(),
+                *import_rows(self),
                 *export_rows(self),
+                *self.files.leaving_rows(),
                 *edit_rows(),
                 *view_rows(),
                 *teach_rows(),
@@ -230,20 +234,7 @@ class MainWindow(QMainWindow):
         )
 
     def _build_menus(self) -> None:
-        menus: dict[str, QMenu] = {}
-        groups: dict[str, str] = {}
-        bar = self.menuBar()
-        bar.setNativeMenuBar(False)
-        for name in MENUS:
-            rows = [row for row in self.studio.actions.rows.values() if row.menu == name]
-            if rows:
-                menus[name] = bar.addMenu(name)
-                menus[name].setToolTipsVisible(True)
-            for row in sorted(rows, key=lambda row: [r.group for r in rows].index(row.group)):
-                if groups.setdefault(name, row.group) != row.group:
-                    menus[name].addSeparator()
-                    groups[name] = row.group
-                menus[name].addAction(self.studio.actions[row.id])
+        fill_menu_bar(self.menuBar(), self.studio.actions)
         for action_id in self.studio.actions.rows:
             self.addAction(self.studio.actions[action_id])  # shortcuts of actions in no menu work as well
 

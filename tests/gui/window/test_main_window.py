@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QTabBar
+from PySide6.QtWidgets import QApplication, QLabel, QMenu, QPushButton, QTabBar
 from pytestqt.qtbot import QtBot
 
 from app import __version__
@@ -28,6 +28,23 @@ def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: 
         assert row.text, row.id
         assert row.tip, f"{row.id} has no tip"
         assert row.menu in ("", *MENUS), row.id
+
+
+def test_no_menu_is_higher_than_what_a_low_screen_has_below_the_menu_bar(window: MainWindow) -> None:
+    menus = [menu for menu in window.menuBar().findChildren(QMenu) if not menu.isEmpty()]
+    assert len(menus) > len(MENUS)
+    for menu in menus:
+        assert menu.sizeHint().height() < 720, menu.title()
+
+
+def test_every_action_of_a_menu_is_found_in_it_or_in_one_that_opens_from_it(window: MainWindow) -> None:
+    bar = {action.text(): action.menu() for action in window.menuBar().actions()}
+    for row in window.studio.actions.rows.values():
+        if row.menu:
+            menu = bar[row.menu]
+            assert isinstance(menu, QMenu)
+            found = [menu, *menu.findChildren(QMenu)]
+            assert any(window.studio.actions[row.id] in each.actions() for each in found), row.id
 
 
 def test_no_two_actions_have_the_same_shortcut(window: MainWindow) -> None:
