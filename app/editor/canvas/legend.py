@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QToolButton, QWidget
 
+from ..forms.buttons import opens
 from ..icons import icon
 from .atlas import Look, Style, paint_agent
 from .coloring import ATTACHED, RUNS, SHAPES, ColorBy, Coloring, Entry
@@ -48,11 +49,9 @@ class Legend(QFrame):
         self._layout.setContentsMargins(6, 3, 4, 3)
         self._layout.setSpacing(2)
         self.more = self._flat("More entries")
-        self.more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.more.setMenu(QMenu(self.more))
+        opens(self.more, QMenu(self.more))
         self.settings = self._flat("What colors tell, and what else is shown")
-        self.settings.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.settings.setMenu(self._settings_menu())
+        opens(self.settings, self._settings_menu())
         self._layout.addWidget(self.more)
         self._layout.addWidget(self.settings)
         self.dress()

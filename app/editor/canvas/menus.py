@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtWidgets import QMenu
 
+from ...core.wording import state_words
 from .frame import Frame
 
 if TYPE_CHECKING:
@@ -55,7 +57,23 @@ def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
 
     action = menu.addAction(f"Teach {name}", teach)
     action.setToolTip(studio.actions.rows["teach.teach"].tip)
+    if studio.teaching.can_pick_for(node):
+        menu.addMenu(_picks(menu, studio, node, name))
     menu.addSeparator()
+
+
+def _picks(menu: QMenu, studio: Studio, node: str, name: str) -> QMenu:
+    """What the node can be taught to do now: the states of what is taught."""
+    picks = QMenu(f"Pick for {name}", menu)
+    teaching, automaton, key = studio.teaching, studio.teaching.automaton, studio.teaching.key
+    if automaton is None or key is None:
+        return picks
+    library = studio.document.project.library(key.type)
+    for state in automaton.states[1:]:
+        words = state_words(automaton, state.id, library)
+        picks.addAction(words, partial(teaching.pick_for, node, state.id))
+    picks.setEnabled(not picks.isEmpty())
+    return picks
 
 
 def _attached(menu: QMenu, studio: Studio, frame: Frame, entity: int) -> None:

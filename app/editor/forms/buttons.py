@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCursor
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMenu, QPushButton, QToolButton
 
 
 def text_button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
@@ -14,6 +16,19 @@ def text_button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
     button.setAutoDefault(False)
     button.clicked.connect(lambda _checked: act())
     return button
+
+
+def opens(button: QToolButton, menu: QMenu) -> None:
+    """Let a button open *menu* at once; it is not lit any more once the menu has gone and the mouse is elsewhere."""
+
+    def look() -> None:
+        if not button.rect().contains(button.mapFromGlobal(QCursor.pos())):
+            button.setAttribute(Qt.WidgetAttribute.WA_UnderMouse, on=False)  # no event tells: the menu had it
+            button.update()
+
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setMenu(menu)
+    menu.aboutToHide.connect(look)
 
 
 def closing(dialog: QDialog) -> QDialogButtonBox:

@@ -24,6 +24,7 @@ def context_menu(panel: GraphPanel, at: Position) -> QMenu:
         rows = ("graph.edit", "graph.add_rule", "", "graph.remove", "graph.unprune")
     elif panel.scene.current is not None:
         rows = (
+            *(("graph.pick", "") if panel.studio.teaching.lesson is not None else ()),
             "graph.enter",
             "graph.expand",
             "graph.edit",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ...core.edits import forget_layout
 from ..actions import ActionRow
 from .authoring_rows import authoring_rows
+from .picking import picking_row
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -97,5 +98,6 @@ def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             icon="arrow-down-right",
             enabled=has_nested,
         ),
+        picking_row(panel),
         *authoring_rows(panel),
     )

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
+from ..forms.buttons import opens
 from ..number_box import roomy
 from .asking import BELOW, BEYOND
 
@@ -44,10 +45,9 @@ class AskControl(QWidget):
         self.more.setText("⋯")
         self.more.setToolTip("What to ask about: how sure, and how far from all examples")
         self.more.setAccessibleName("What to ask about")
-        self.more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.more.setProperty("flat", "true")
         self.more.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.more.setMenu(self._menu())
+        opens(self.more, self._menu())
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)

@@ -23,6 +23,7 @@ class Choice:
         content: What the state holds, or would hold; the bindings of one that is no state yet are still open.
         state: Id of the state; empty where it would be a new one.
         key: The key that picks it; empty if there is none left.
+        also: The letter that picked it before it was a state, and still does; empty if there is none.
         slots: Target parameters that have to be chosen before it can be picked.
         raises: The flag that it raises, after which the automaton begins anew; empty if it raises none.
         doc: What it does.
@@ -32,6 +33,7 @@ class Choice:
     content: Content
     state: str = ""
     key: str = ""
+    also: str = ""
     slots: tuple[str, ...] = ()
     raises: str = ""
     doc: str = ""
@@ -57,7 +59,8 @@ def choices_of(
 ) -> tuple[Choice, ...]:
     """All that can be picked while *automaton* is taught: its states in order, then what could be added to it.
 
-    Digits pick states, letters what raises a flag or is no state yet. A letter stays with its behavior.
+    Digits pick states, letters what raises a flag or is no state yet. A letter stays with its behavior: whoever has
+    just added a state by it can go on to press it.
 
     Args:
         reserved: Keys that mean something else.
@@ -123,10 +126,19 @@ def _of_state(state: State, automaton: Automaton, library: Library, vocabulary: 
 def _with_keys(states: list[Choice], letters: Mapping[str, str]) -> list[Choice]:
     digits, taken, keyed = iter(DIGITS), set[str](), []
     for choice in states:
-        letter = letters.get(_basis(choice.content), "") if choice.raises else ""
-        key = letter if letter and letter not in taken else next(digits, "")
+        letter = letters.get(_basis(choice.content), "")
+        letter = "" if letter in taken else letter
+        key = letter if letter and choice.raises else next(digits, "")
         keyed.append(_keyed(choice, key, taken))
+        if letter and key != letter and not _has_slots(choice.content):
+            keyed[-1] = replace(keyed[-1], also=letter)
+            taken.add(letter)
     return keyed
+
+
+def _has_slots(content: Content) -> bool:
+    """Whether its letter adds another state, with other targets."""
+    return isinstance(content, Basic | Nested) and bool(content.bindings)
 
 
 def _keyed(choice: Choice, key: str, taken: set[str]) -> Choice:

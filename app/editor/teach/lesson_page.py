@@ -6,15 +6,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QKeySequence, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.amounts import counted
 from ...core.wording import example_words
 from ...engine.snapshots import LessonView, Snapshot
+from ..forms.buttons import opens
 from .adding import AddList
 from .button import BehaviorButton, Ring
 from .choices import Choice, choices_of, examples_by_label
 from .flow import ButtonFlow, Rows
+from .lesson_row import LessonRow
 from .target_row import TargetRow
 from .told import Told
 
@@ -50,29 +52,22 @@ class LessonPage(QWidget):
         self.turn = QLabel()
         self.next = self._action_button("teach.next")
         self.mend = self._action_button("teach.mend")
-        self.badge = QLabel()
-        self.badge.setObjectName("badge")
         self._teaching.choosing.changed.connect(self._make_room)  # before the row takes it
         self.targets = TargetRow(studio)
         self.last = Told(studio.theme)
         self.options = self._options_button()
+        self.row = LessonRow(self.turn, self.next, self.targets, self.last, self.mend, self.options)
+        self.badge = self.row.badge
         self._lay_out()
         self._connect()
 
     def _lay_out(self) -> None:
-        second = QHBoxLayout()
-        second.setSpacing(8)
-        for widget in (self.turn, self.next, self.targets):
-            second.addWidget(widget)
-        second.addWidget(self.last, 1)
-        for widget in (self.mend, self.badge, self.options):
-            second.addWidget(widget)
         self.rows = Rows(self.flow)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(6)
         layout.addWidget(self.rows)
-        layout.addLayout(second)
+        layout.addWidget(self.row)
         layout.addStretch(1)
 
     def _connect(self) -> None:
@@ -101,12 +96,11 @@ class LessonPage(QWidget):
         button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         button.setToolTip("How the lesson goes: what others do, and whether a pick steps on")
         button.setAccessibleName("Options of the lesson")
-        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(button)
         menu.setToolTipsVisible(True)
         for action in ("teach.others", "teach.steps_on", "teach.keep", "teach.stop"):
             menu.addAction(self._studio.actions[action])
-        button.setMenu(menu)
+        opens(button, menu)
         return button
 
     # ------------------------------------------------------------------------------------------ picking
@@ -177,9 +171,9 @@ class LessonPage(QWidget):
         self._leave_shortcuts()
         shown = [choice for choice in self.choices if choice.state or choice.kind != "flag"]
         self.buttons = {choice.state or choice.name: self._button(choice) for choice in shown}
-        for choice in self.choices:
-            if choice.key:
-                self._shortcuts.append(self._shortcut(choice))
+        self._shortcuts += [
+            self._shortcut(choice, key) for choice in self.choices for key in (choice.key, choice.also) if key
+        ]
         states = [self.buttons[choice.state] for choice in shown if choice.state]
         new = [self.buttons[choice.name] for choice in shown if not choice.state]
         self.flow.hold(states, new, (self.add,))
@@ -194,12 +188,13 @@ class LessonPage(QWidget):
         button = BehaviorButton(self._studio.theme, name, self._color(choice), choice.key)
         button.dress(ghost=not choice.state)
         what = choice.doc or choice.name
-        button.setToolTip(f"{what} ({choice.key})" if choice.key else what)
+        keys = " or ".join(key for key in (choice.key, choice.also) if key)
+        button.setToolTip(f"{what} ({keys})" if keys else what)
         button.clicked.connect(lambda: self.choose(choice))
         return button
 
-    def _shortcut(self, choice: Choice) -> QShortcut:
-        shortcut = QShortcut(QKeySequence(choice.key), self)
+    def _shortcut(self, choice: Choice, key: str) -> QShortcut:
+        shortcut = QShortcut(QKeySequence(key), self)
         shortcut.setAutoRepeat(False)
         shortcut.activated.connect(lambda: self.choose(choice))
         return shortcut
@@ -223,8 +218,8 @@ class LessonPage(QWidget):
             told = counted(count, "example") if choice.state else ""
             button.dress(caption=told, ghost=not choice.state, dimmed=bool(choice.raises) and in_start)
         words, tip = self._kept_words()
-        self.badge.setText(f"{counted(len(examples), 'example')}{words}")
-        self.badge.setToolTip(tip)
+        recorded = counted(len(examples), "example")
+        self.row.count(f"{recorded}{words}", recorded, tip)
         self.flow.arrange()
 
     def _kept_words(self) -> tuple[str, str]:
@@ -233,7 +228,7 @@ class LessonPage(QWidget):
         if not keeping.on:
             return "", "Lessons are not kept as demonstrations (Teach > Keep as demonstration)"
         if why := keeping.obstacle:
-            return " · demonstration not kept", f"What is taught now is not kept as a demonstration: {why}."
+            return " · not kept", f"What is taught now is not kept as a demonstration: {why}."
         if keeping.is_kept:
             return " · kept", f"Kept as demonstration {filed!r}, which can be played again"
         return "", f"What you pick is kept as demonstration {filed!r}"

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QCursor
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from ...core.features import Binding, Ground
+from ..forms.buttons import opens
 from ..icons import icon
 
 if TYPE_CHECKING:
@@ -74,22 +75,23 @@ class TargetRow(QWidget):
         bound = self._choosing.bound(slot)
         button = QToolButton()
         button.setText(_words(bound) or "choose…")
-        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setAccessibleName(f"What {slot} is")
         button.setToolTip(f"Choose what {slot} is from all targets")
         menu = QMenu(button)
         menu.setToolTipsVisible(True)
         menu.aboutToShow.connect(lambda: self._fill(menu, slot))
-        button.setMenu(menu)
+        opens(button, menu)
         self.menus[slot] = button
         self._layout.addWidget(button)
         if self._choosing.wanted == slot:
-            told = QLabel("or click it in the world now…")
-            told.setProperty("role", "caption")
-            self._layout.addWidget(told)
+            now = QLabel("or click it now…")
+            now.setProperty("role", "caption")
+            self._layout.addWidget(now)
             return
-        only = len(self._choosing.slots) == 1  # several stand beside each other, in few words
-        click = self._flat("or click it in the world" * only, f"Choose what {slot} is by a click on it")
+        told = (
+            len(self._choosing.slots) == 1 and bound is None
+        )  # others stand beside each other, in few words
+        click = self._flat("or click it in the world" * told, f"Choose what {slot} is by a click on it")
         click.setAccessibleName(f"Click what {slot} is")
         click.setIcon(icon("crosshairs-gps", self._studio.theme, "dim"))
         click.clicked.connect(lambda: self._choosing.ask_for(slot))

@@ -114,9 +114,7 @@ class Teaching(QObject):
         lesson = self.lesson
         if lesson is None:
             return (*self.nodes, "")[0]
-        if self._turn in lesson.plan.nodes or (lesson.testing and self._may_pick(self._turn, lesson)):
-            return self._turn
-        return lesson.plan.nodes[0]
+        return self._turn if self.can_pick_for(self._turn) else lesson.plan.nodes[0]
 
     @property
     def state(self) -> str:
@@ -226,6 +224,20 @@ class Teaching(QObject):
         snapshot = self._studio.snapshot
         if self.steps_on and snapshot is not None and snapshot.speed == 0.0 and snapshot.asked is None:
             self._studio.bridge.send(Step())
+
+    def can_pick_for(self, node: str) -> bool:
+        """Whether a pick can be for *node*: one that is taught, or in a test any other that runs the behavior."""
+        lesson = self.lesson
+        return lesson is not None and (
+            node in lesson.plan.nodes or (lesson.testing and self._may_pick(node, lesson))
+        )
+
+    def pick_for(self, node: str, choice: str | Content) -> None:
+        """Pick for a node, whose turn it is from now on."""
+        self._studio.selection.select_nodes(
+            (*(other for other in self._studio.selection.nodes if other != node), node)
+        )
+        self.pick(choice)
 
     @property
     def steps_on(self) -> bool:

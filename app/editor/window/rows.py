@@ -12,6 +12,7 @@ from ..actions import ActionRow, when_open
 from ..theme import ThemeMode
 
 if TYPE_CHECKING:
+    from ...engine.snapshots import Place
     from ..studio import Studio
 
 #: What the speed slider stands for, from left to right; None is as fast as it can.
@@ -34,6 +35,11 @@ class Speed:
 
     def __init__(self) -> None:
         self.chosen: float | None = 1.0
+        self._asked: tuple[Place | None, int, bool] = (
+            None,
+            0,
+            False,
+        )  # of which world, when, and whether to play
 
     def choose(self, studio: Studio, speed: float | None) -> None:
         """Go on at another speed; a world that stands still stays so."""
@@ -48,8 +54,17 @@ class Speed:
         self.choose(studio, SPEEDS[max(0, min(place, len(SPEEDS) - 1))])
 
     def play_or_pause(self, studio: Studio) -> None:
-        """Let time pass, or stop it."""
-        studio.bridge.send(Pause() if is_playing(studio) else Play(self.chosen))
+        """Let time pass, or stop it; what was asked for already counts, though no answer to it has come yet."""
+        plays = self._will_play(studio)
+        ticket = studio.bridge.send(Pause() if plays else Play(self.chosen))
+        self._asked = None if studio.snapshot is None else studio.snapshot.place, ticket, not plays
+
+    def _will_play(self, studio: Studio) -> bool:
+        """Whether time passes once all that was asked for here is done."""
+        snapshot, (place, ticket, plays) = studio.snapshot, self._asked
+        if snapshot is not None and snapshot.place is place and snapshot.acknowledged < ticket:
+            return plays
+        return is_playing(studio)
 
 
 def has_arm(studio: Studio) -> bool:

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 MOST_SEED = 2**63 - 1
+#: Seeds that runs are given have up to so many digits; longer ones are scrolled in.
+SEED_DIGITS = 10
 
 
 class ModeSwitch(QWidget):
@@ -148,7 +150,7 @@ class Toolbar(QToolBar):
     def _add_seed(self) -> None:
         self._caption("Seed")
         self.seed = QLineEdit("1")
-        self.seed.setFixedWidth(72)  # seeds of experiments have seven digits
+        self.seed.setFixedWidth(self.seed.fontMetrics().horizontalAdvance("0" * SEED_DIGITS) + 26)
         self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
         self.seed.returnPressed.connect(self._reset)
         self.addWidget(self.seed)

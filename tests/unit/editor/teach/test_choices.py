@@ -41,6 +41,14 @@ def test_a_letter_stays_with_what_raises_a_flag_when_it_becomes_a_state() -> Non
     assert (before["Stop"].state, after["Stop"].state) == ("", "s1")
 
 
+def test_the_letter_that_added_a_state_still_picks_it() -> None:
+    before, after = choices(made("walk")), choices(made("walk", Basic("Forward"), Basic("Turn")))
+    assert after["Forward"].also == before["Forward"].key
+    assert after["Forward"].key == "1"
+    taken = [key for choice in after.values() for key in (choice.key, choice.also) if key]
+    assert len(taken) == len(set(taken))
+
+
 def test_reserved_keys_are_left_alone_and_no_key_is_given_twice() -> None:
     found = choices(made("walk", Basic("Forward")), made("seek"), made("sweep"), reserved=("S", "T"))
     keys = [choice.key for choice in found.values() if choice.key]
@@ -58,6 +66,7 @@ def test_a_behavior_with_a_slot_can_be_added_again_with_another_target() -> None
     seek = made("seek", parameters=("X",))
     found = choices(made("walk", Nested("seek", {"X": Ground("box")}), Basic("Turn")), seek)
     assert found["Seek(box)"].state == "s0"
+    assert found["Seek(box)"].also == ""  # its letter asks for another target
     assert found["Seek"].slots == ("X",)
     assert found["Turn"].state == "s1"
 

@@ -1,0 +1,70 @@
+"""A lesson in a small window: what there is no room for is said in fewer words."""
+
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QCursor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu, QToolButton
+
+from tests.gui.teach.hand import Hand
+
+ICON, WORDS = Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+SMALL = 1280, 800
+
+
+def _looks(hand: Hand, style: Qt.ToolButtonStyle) -> bool:
+    return hand.page.next.toolButtonStyle() == style
+
+
+def test_a_window_keeps_its_size_whatever_is_taught_and_tested(hand: Hand) -> None:
+    hand.window.resize(*SMALL)
+    hand.show("GatherAt", "agent-3", "agent-7")
+    sides = {hand.window.docks[name]: hand.window.docks[name].width() for name in ("library", "graph")}
+    hand.key(Qt.Key.Key_T)
+    hand.choose_target(hand.panel.idle.targets, "X", "nearest visible box")
+    hand.wait(lambda: hand.studio.teaching.lesson is not None)
+    hand.settle()
+    hand.test()
+    assert (hand.window.width(), hand.window.height()) == SMALL
+    assert {dock: dock.width() for dock in sides} == sides
+
+
+def test_what_to_do_is_said_in_a_small_window_too(hand: Hand) -> None:
+    hand.window.resize(*SMALL)
+    hand.show("GatherAt", "agent-3")
+    hand.key(Qt.Key.Key_T)
+    hand.choose_target(hand.panel.idle.targets, "X", "nearest visible box")
+    hand.wait(lambda: hand.studio.teaching.lesson is not None)
+    hand.settle()
+    last = hand.page.last
+    assert last.text == "Pick what it is to do."
+    hand.wait(lambda: last.width() >= last.fontMetrics().horizontalAdvance(last.text) * 11 // 13)
+
+
+def test_buttons_say_what_they_do_where_there_is_room(hand: Hand) -> None:
+    hand.window.resize(*SMALL)
+    hand.show("GatherAt", "agent-3", "agent-7")
+    hand.key(Qt.Key.Key_T)
+    hand.choose_target(hand.panel.idle.targets, "X", "nearest visible box")
+    hand.wait(lambda: hand.studio.teaching.lesson is not None)
+    hand.settle()
+    hand.test()
+    for width, style in ((1900, WORDS), (SMALL[0], ICON), (1900, WORDS)):
+        hand.window.resize(width, 800)
+        hand.wait(partial(_looks, hand, style))
+    assert hand.page.mend.toolButtonStyle() == WORDS
+
+
+def test_a_button_is_not_lit_once_its_menu_was_closed_elsewhere(hand: Hand) -> None:
+    (button,) = [
+        each for each in hand.window.findChildren(QToolButton) if each.accessibleName() == "What to ask about"
+    ]
+    menu = button.menu()
+    assert isinstance(menu, QMenu)
+    QTest.mouseMove(button, button.rect().center())
+    hand.wait(button.underMouse)
+    menu.popup(button.mapToGlobal(QPoint(0, button.height())))
+    QCursor.setPos(hand.window.mapToGlobal(hand.window.rect().center()))
+    hand.qtbot.keyClick(menu, Qt.Key.Key_Escape)
+    assert not button.underMouse()
