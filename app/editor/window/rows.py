@@ -35,11 +35,8 @@ class Speed:
 
     def __init__(self) -> None:
         self.chosen: float | None = 1.0
-        self._asked: tuple[Place | None, int, bool] = (
-            None,
-            0,
-            False,
-        )  # of which world, when, and whether to play
+        # Of which world, by which ticket, and whether to play.
+        self._asked: tuple[Place | None, int, bool] = None, 0, False
 
     def choose(self, studio: Studio, speed: float | None) -> None:
         """Go on at another speed; a world that stands still stays so."""
