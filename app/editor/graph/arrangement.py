@@ -1,6 +1,6 @@
 """Where states stand and how edges run: pure geometry in pixels, y downward."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import hypot
 from typing import Any
@@ -12,6 +12,10 @@ GAP = 56.0
 #: How far apart two edges between the same states bow, and how far a loop stands out.
 BOW, LOOP = 22.0, 26.0
 CLOSE = 0.5
+#: Shares of an edge's way at which its words may stand, the best first.
+STANDS = (0.5, 0.36, 0.64, 0.22, 0.78)
+#: How far from an edge words stand that found no place on it.
+ASIDE = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +97,8 @@ def _clear(
     return found
 
 
-def _overlap(a: Point, size_a: Size, b: Point, size_b: Size) -> bool:
-    near = [abs(a[i] - b[i]) < (size_a[i] + size_b[i]) / 2 + 8.0 for i in range(2)]
+def _overlap(a: Point, size_a: Size, b: Point, size_b: Size, apart: float = 8.0) -> bool:
+    near = [abs(a[i] - b[i]) < (size_a[i] + size_b[i]) / 2 + apart for i in range(2)]
     return all(near)
 
 
@@ -187,6 +191,28 @@ def middle_of(points: Sequence[Point]) -> Point:
         return points[first]
     a, b, c, d = points[first : first + 4]
     return (a[0] + 3 * b[0] + 3 * c[0] + d[0]) / 8, (a[1] + 3 * b[1] + 3 * c[1] + d[1]) / 8
+
+
+def clear_of(run: Run, size: Size, taken: Collection[tuple[Point, Size]]) -> Run:
+    """An edge of one piece, its label where it covers as little as possible of what is *taken*: middles and sizes."""
+
+    def covered(at: Point) -> int:
+        return sum(_overlap(at, size, middle, other, 0.0) for middle, other in taken)
+
+    way = [_on_the_way(run.points, share) for share in STANDS]
+    aside = size[0] / 2 + ASIDE
+    stands = [(x + side, y) for side in (0.0, aside, -aside) for x, y in way]
+    return Run(run.points, min(stands, key=covered))
+
+
+def _on_the_way(points: Sequence[Point], share: float) -> Point:
+    """The point of a cubic piece at a share of its way."""
+    left = 1.0 - share
+    weights = left**3, 3 * left**2 * share, 3 * left * share**2, share**3
+    x, y = (
+        sum(weight * point[axis] for weight, point in zip(weights, points, strict=True)) for axis in (0, 1)
+    )
+    return x, y
 
 
 def shifted(run: Run, by: Point) -> Run:

@@ -141,14 +141,19 @@ class ConditionRow(QWidget):
         self._layout.addWidget(self.category, 1)
 
     def _number(self, value: float, name: str = "Threshold") -> None:
-        unit = unit_of(self._feature)
-        suffix = "°" if unit == "degrees" else f" {unit}" if unit else ""
-        field = NumberField(name, *self._range(), suffix)
+        field = NumberField(name, *self._range())
         field.setValue(degrees(value) if in_degrees(self._feature) else value)
+        self._name_unit(field)
+        field.valueChanged.connect(lambda _: self._name_unit(field))
         field.valueChanged.connect(lambda _: self._said(still=True))
         field.editingFinished.connect(self.settled)
         self._layout.addWidget(field, 2)
         self.numbers.append(field)
+
+    def _name_unit(self, field: NumberField) -> None:
+        """Say the unit after the number: 1 unit, 2 units."""
+        unit = unit_of(self._feature, field.textFromValue(field.value()))
+        field.setSuffix("°" if in_degrees(self._feature) else f" {unit}" if unit else "")
 
     def _range(self) -> tuple[float, float]:
         if self._feature.kind is not FeatureKind.TOROIDAL:

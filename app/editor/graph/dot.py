@@ -9,6 +9,8 @@ from typing import Any
 
 #: Graphviz measures in points and, for nodes, in inches of 72 points; a pixel is taken for a point.
 INCH = 72.0
+#: Room for the words of a transition that is still to be drawn.
+ROOM = (72.0, 30.0)
 GRAPH = {"rankdir": "TB", "nodesep": 0.3, "ranksep": 0.36, "splines": "true", "outputorder": "nodesfirst"}
 
 
@@ -28,13 +30,32 @@ def arranged(request: dict[str, Any]) -> dict[str, Any]:
         graph.add_node(names[node_id], width=width / INCH, height=height / INCH)
     for number, edge in enumerate(request["edges"]):
         _add_edge(graph, names, number, edge)
+    for number, node in enumerate(not_reached(request)):
+        _add_edge(graph, names, -1 - number, [request["nodes"][0][0], node, *ROOM], style="invis")
     graph.layout(prog="dot")
     return _answer(graph, names, request)
 
 
-def _add_edge(graph: Any, names: dict[str, str], number: int, edge: list[Any]) -> None:
+def not_reached(request: dict[str, Any]) -> list[str]:
+    """Where transitions are still to lead, so that all states can be reached from the first: these stand below it."""
+    after: dict[str, list[str]] = {node: [] for node, *_ in request["nodes"]}
+    for source, target, *_ in request["edges"]:
+        after[source].append(target)
+    seen: set[str] = set()
+    wanting = []
+    for node in after:  # the first one comes first
+        if node not in seen:
+            wanting.append(node)
+        waiting = [node]
+        while waiting:
+            here = waiting.pop()
+            waiting += [] if here in seen else after[here]
+            seen.add(here)
+    return wanting[1:]
+
+
+def _add_edge(graph: Any, names: dict[str, str], number: int, edge: list[Any], **attributes: str) -> None:
     source, target, width, height = edge
-    attributes = {}
     if width > 0:
         size = f'FIXEDSIZE="TRUE" WIDTH="{width:.0f}" HEIGHT="{height:.0f}"'
         attributes["label"] = f'<<TABLE BORDER="0" CELLPADDING="0" {size}><TR><TD></TD></TR></TABLE>>'

@@ -74,10 +74,10 @@ class FormStrip(QFrame):
 
     def focus_first(self) -> None:
         """Put the keyboard into the form."""
-        is_rule = self._stack.currentIndex() == 0
-        form: QWidget = (
-            self.state if not is_rule else self.rules.blocks[-1] if self.rules.blocks else self.rules
-        )
+        if self._stack.currentIndex() == 1:
+            self.state.first.setFocus(Qt.FocusReason.OtherFocusReason)
+            return
+        form: QWidget = self.rules.blocks[-1] if self.rules.blocks else self.rules
         fields = [child for child in form.findChildren(QWidget) if _takes_keys(child)]
         if isinstance(form, RuleBlock) and not form.rows:
             fields = [form.add]

@@ -1,12 +1,25 @@
 """One automaton as it is shown, with those that are open in its states: what is drawn, apart from how."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from ...core.automaton import Automaton
 from ...core.project import Positions
 from ...export.graph import AutomatonGraph, Edge
-from .arrangement import Arrangement, Point, Request, Run, Size, extent, loop_of, run_between, shifted, spread
+from .arrangement import (
+    Arrangement,
+    Point,
+    Request,
+    Run,
+    Size,
+    clear_of,
+    extent,
+    loop_of,
+    middle_of,
+    run_between,
+    shifted,
+    spread,
+)
 from .edge_item import label_size
 from .labels import Label, label_of
 from .state_item import HEADER, HEIGHT, PADDING, Path, closed_size
@@ -111,6 +124,7 @@ class Drafting:
         sizes = {**closed, **grown}
         places = spread(base, closed, grown)
         runs = _runs(graph, arrangement, sizes, places, labels)
+        runs = _apart(runs, labels, [(places[state], sizes[state]) for state in places]) if labeled else runs
         points = [point for run in runs.values() for point in run.points]
         if labeled:
             points += [corner for key, run in runs.items() for corner in _corners(run.label, labels[key])]
@@ -182,6 +196,19 @@ def _runs(
             found[key] = shifted(run, moved[0])
         else:
             found[key] = _own_run(edge, graph.edges, sizes, places, labels)
+    return found
+
+
+def _apart(
+    runs: Mapping[tuple[str, str], Run], labels: Labels, states: Sequence[tuple[Point, Size]]
+) -> dict[tuple[str, str], Run]:
+    """Our own runs with labels that cover neither states nor each other, as far as there is room; Graphviz saw to its own."""
+    taken, found = list(states), {}
+    for key, run in runs.items():
+        size = label_size(labels[key])
+        straight = len(run.points) == 4 and run.label == middle_of(run.points)
+        found[key] = clear_of(run, size, taken) if straight else run
+        taken.append((found[key].label, size))
     return found
 
 

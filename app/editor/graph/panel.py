@@ -12,7 +12,7 @@ from ...core.automaton import Content
 from ...core.edits import move_states
 from ...core.project import Position
 from ..selection import BehaviorKey
-from ..soon import Soon
+from ..soon import Later, Soon
 from . import offers
 from .arrangement import Point
 from .badges import Badges
@@ -72,8 +72,7 @@ class GraphPanel(QWidget):
         self.form = FormStrip(studio, self.scoping)
         self.badges = Badges(studio.document, self.scoping, self.scene)
         self._soon = Soon(self, self.refresh)
-        self._live = QTimer(self, interval=LIVE, singleShot=True)
-        self._live.timeout.connect(self._follow)
+        self._live = Later(self, self._follow, LIVE)
         studio.actions.add(graph_rows(self))
         self._build()
         self._connect()
@@ -177,7 +176,7 @@ class GraphPanel(QWidget):
         """Nobody looks: Graphviz is not needed."""
         super().hideEvent(event)
         self._soon.forget()
-        self._live.stop()
+        self._live.forget()
         self.laying_out.close()
         self.studio.touch()
 
@@ -394,8 +393,8 @@ class GraphPanel(QWidget):
     # -------------------------------------------------------------------------------------------------- live
 
     def _live_soon(self, _snapshot: object = None) -> None:
-        if self.isVisible() and not self._live.isActive():
-            self._live.start()
+        if self.isVisible():
+            self._live.ask()
 
     def _follow(self) -> None:
         snapshot = self.studio.snapshot

@@ -62,7 +62,7 @@ def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "graph.fit",
             "Fit the automaton in",
             "",
-            lambda _: panel.view.fit(),
+            lambda _: panel.view.fit_whole(),
             icon="fit-to-page-outline",
             tip="Show the whole automaton",
             enabled=shows,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -45,6 +46,7 @@ class RuleForm(QWidget):
         self._studio, self._scoping = studio, scoping
         self.place: Place | None = None
         self.blocks: list[RuleBlock] = []
+        self._keys_go = "", ""  # the rule and the part that they go to after the next change
         self._features: tuple[FeatureUse, ...] = ()
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(10, 4, 10, 8)
@@ -86,6 +88,8 @@ class RuleForm(QWidget):
         self._fill([RuleBlock(self, rule, order, len(ordered), automaton) for rule, order in shown])
 
     def _fill(self, blocks: list[RuleBlock]) -> None:
+        """Other blocks; where the keys were in one of those before, they stay in the form."""
+        had_keys = any(block.isAncestorOf(self.window().focusWidget()) for block in self.blocks)
         for block in self.blocks:
             self._column.removeWidget(block)
             block.hide()
@@ -93,6 +97,15 @@ class RuleForm(QWidget):
         self.blocks = blocks
         for number, block in enumerate(blocks):
             self._column.insertWidget(2 + number, block)
+        if had_keys:
+            self._put_keys(*self._keys_go)
+        self._keys_go = "", ""
+
+    def _put_keys(self, rule: str, part: str) -> None:
+        """Let the keys go to what follows upon the last change: to the new test, or to the button that was pressed."""
+        block = next((block for block in self.blocks if rule in ("", block.rule.id)), None)
+        field = self.more if block is None else block.part(part)
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
 
     # -------------------------------------------------------------------------------------------- changing
 
@@ -105,12 +118,17 @@ class RuleForm(QWidget):
         if self.place is not None:
             self._studio.document.attempt(replace_rule, *self.place[:2], rule.id, gesture=gesture, **fields)
 
+    def keys_to(self, rule: Rule, part: str) -> None:
+        """After the next change, let the keys go to a part of a rule."""
+        self._keys_go = rule.id, part
+
     def end_gesture(self) -> None:
         """The hand let go."""
         self._studio.document.end_gesture()
 
     def remove(self, rule: Rule) -> None:
         """No such rule any more."""
+        self._keys_go = "", "add"
         if self.place is not None:
             self._studio.document.attempt(remove_rule, *self.place[:2], rule.id)
 
@@ -123,6 +141,7 @@ class RuleForm(QWidget):
         place = order.index(rule.id)
         if 0 <= place + by < len(order):
             order.insert(place + by, order.pop(place))
+            self.keys_to(rule, "earlier" if by < 0 else "later")
             self._studio.document.attempt(order_rules, *self.place[:2], rule.source, order)
 
     def test_something(self, rule: Rule, guard: Guard, place: int, what: str | Source) -> None:
@@ -140,6 +159,7 @@ class RuleForm(QWidget):
             condition = offers.first_test(feature_id, use.source, document.scenario.vocabulary)
             new = (*guard[:place], condition, *guard[place + 1 :])
             text = describe(replace_rule, project, *where, rule.id, guard=new)
+            self.keys_to(rule, f"test {place}")
             document.push(text, replace_rule(project, *where, rule.id, guard=new))
         except UnderstudyError as error:
             self._studio.warn(str(error))
@@ -175,7 +195,7 @@ class RuleBlock(QWidget):
         uses, others = form.choices(automaton)
         for number, condition in enumerate(rule.guard):
             column.addWidget(self._row(number, condition, automaton, uses, others))
-        self.add = QPushButton("and a test" if rule.guard else "when …")
+        self.add = QPushButton("and a test" if rule.guard else "Only when …")
         self.add.setToolTip("Add a test: the rule applies where all its tests are met")
         self.add.setEnabled(bool(uses or others))
         self.add.clicked.connect(lambda: self._add_test(uses, others))
@@ -200,9 +220,21 @@ class RuleBlock(QWidget):
         for widget in (self.earlier, self.later):
             head.addWidget(widget)
         head.addStretch(1)
+        named = QLabel("probability")
+        named.setProperty("role", "caption")
+        head.addWidget(named)
         head.addWidget(self.probability, 1)
         head.addWidget(self.removal)
         return head
+
+    def part(self, name: str) -> QWidget:
+        """A part that takes keys: "test 0" is what the first test tests; where there is no such part, what adds a test."""
+        tests = {f"test {number}": row.what for number, row in enumerate(self.rows)}
+        parts: dict[str, QWidget] = {"earlier": self.earlier, "later": self.later, **tests}
+        found = parts.get(name, self.add)
+        if not found.isEnabled():  # at an end of the order, the other way is the one that is left
+            found = self.later if found is self.earlier else self.earlier
+        return found
 
     def _button(self, text: str, tip: str, act: Callable[[], object]) -> QToolButton:
         button = QToolButton()
@@ -258,6 +290,7 @@ class RuleBlock(QWidget):
         self._form.change(old, gesture=gesture, **fields)
 
     def _without(self, number: int) -> None:
+        self._form.keys_to(self.rule, "add")
         self._form.change(self.rule, guard=(*self.rule.guard[:number], *self.rule.guard[number + 1 :]))
 
     def _add_test(self, uses: list[offers.Choice], others: list[offers.Choice]) -> None:

@@ -1,4 +1,4 @@
-"""Name, note, bindings and flag of a state in a small form."""
+"""Name, note, bindings, flag, and the order of the rules of a state in a small form."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from ...core.automaton import START, RaiseFlag, State
-from ...core.edits import bind_state, note_state, rename_state, set_content
+from ...core.automaton import START, Automaton, RaiseFlag, State
+from ...core.edits import bind_state, note_state, order_rules, remove_rule, rename_state, set_content
 from ...core.edits.bindings import bindings_of
-from ...core.wording import content_words
+from ...core.wording import content_words, rule_words, state_words
+from ..forms.parts import Item, OrderedList, caption
 from . import offers
 from .list_choice import ListChoice
 from .scoping import Scoping
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 OPEN = "(open)"
+RULES = "Rules, tried in this order:"
+#: Pixels that the list of rules is high.
+RULES_HEIGHT = 84
 
 
 class StateForm(QWidget):
@@ -27,6 +31,7 @@ class StateForm(QWidget):
         place: Type, automaton and state; None while nothing is shown.
         name, note, flag: Fields.
         slots: The choice of each slot's binding.
+        rules: Those that leave the state, in order.
     """
 
     def __init__(self, studio: Studio, scoping: Scoping) -> None:
@@ -45,10 +50,17 @@ class StateForm(QWidget):
         self.slots: dict[str, QComboBox] = {}
         self._rows = QFormLayout()
         self._rows.setHorizontalSpacing(8)
+        self._order = caption(RULES)
+        self.rules = OrderedList("Rules of the state", studio.theme)
+        self.rules.list.setFixedHeight(RULES_HEIGHT)
+        self.rules.moved.connect(self._reorder)
+        self.rules.removed.connect(self._remove_rule)
         column = QVBoxLayout(self)
         column.setContentsMargins(10, 4, 10, 8)
         column.addWidget(self._title)
         column.addLayout(self._rows)
+        column.addWidget(self._order)
+        column.addWidget(self.rules)
         column.addStretch(1)
 
     def _field(self, name: str, hint: str) -> QLineEdit:
@@ -57,6 +69,11 @@ class StateForm(QWidget):
         field.setPlaceholderText(hint)
         field.setToolTip(name)
         return field
+
+    @property
+    def first(self) -> QWidget:
+        """Where to begin: what is open yet, or else the name."""
+        return next((box for box in self.slots.values() if box.currentData() is None), self.name)
 
     def show_place(self, place: tuple[str, str, str] | None) -> None:
         """Show a state, or none."""
@@ -75,6 +92,7 @@ class StateForm(QWidget):
             self.place, self._shown = place, form
             self._fill(state, slots, choices)
         self._update(state)
+        self._show_rules(automaton, state)
 
     def _fill(self, state: State, slots: tuple[str, ...], choices: list[offers.Choice]) -> None:
         for field in (self.name, self.note, self.flag):
@@ -102,6 +120,19 @@ class StateForm(QWidget):
         for field, text in ((self.name, state.name), (self.note, state.note), (self.flag, flag)):
             if field.text() != text and not (field.hasFocus() and field.isModified()):
                 field.setText(text)
+
+    def _show_rules(self, automaton: Automaton, state: State) -> None:
+        assert self.place is not None
+        library = self._studio.document.project.library(self.place[0])
+        vocabulary = self._studio.document.scenario.vocabulary
+        shown = [
+            Item(rule.id, f"→ {state_words(automaton, rule.target, library)}: {words}", words)
+            for rule in automaton.rules_of(state.id)
+            for words in [rule_words(rule, automaton, vocabulary)]
+        ]
+        self.rules.show_items(shown)
+        self.rules.setVisible(bool(shown))
+        self._order.setVisible(bool(shown))
 
     def _put(self, label: str, field: QLineEdit) -> None:
         field.show()
@@ -145,6 +176,19 @@ class StateForm(QWidget):
             set_content, *self.place, RaiseFlag(self.flag.text())
         ):
             self.flag.setText(state.content.flag)
+
+    def _reorder(self, rule: str, to: int) -> None:
+        """Try a rule earlier or later; the keys stay on it."""
+        if self.place is None:
+            return
+        automaton = self._scoping.automaton(*self.place[:2])
+        order = [] if automaton is None else [other.id for other in automaton.rules_of(self.place[2])]
+        order.insert(to, order.pop(order.index(rule)))
+        self._studio.document.attempt(order_rules, *self.place, order)
+
+    def _remove_rule(self, rule: str) -> None:
+        if self.place is not None:
+            self._studio.document.attempt(remove_rule, *self.place[:2], rule)
 
     def _bind(self, slot: str, binding: object) -> None:
         if self.place is not None:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton
 
 from ...core.edits import duplicate_automaton, rename_automaton
 from ...core.project import Project
+from ..forms.nothing import NothingFound
 from ..selection import BehaviorKey
 from ..soon import Soon
 from .delegate import USES, BehaviorDelegate
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
 #: Pixels below which names and facts have no room.
 NARROWEST = 210
+NOTHING_FOUND = "No behavior here has these words in its name, features or states."
 #: Actions of the context menu; an empty one is a line.
 MENU = (
     "behavior.open",
@@ -68,6 +70,7 @@ class LibraryPanel(QWidget):
         self._soon = Soon(self, self.follow)
         studio.actions.add(library_rows(self))
         self._lay_out()
+        NothingFound(self.tree, NOTHING_FOUND, lambda: bool(self.shown.text))
         self._connect()
         self.follow()
 

@@ -112,7 +112,7 @@ class StatesPage(QWidget):
         form = QFormLayout(self.detail)
         form.setContentsMargins(0, 0, 0, 0)
         form.addRow("Holds", self.content)
-        form.addRow(self.slots)
+        form.addRow("", self.slots)
         form.addRow("Name", self.name)
         form.addRow("Note", self.note)
         adding = QHBoxLayout()

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 NONE = "No problems: everything is bound, can be reached, and has something to decide by."
+#: Pixels that columns get at most; those of problems get the rest.
+WIDEST = {PLACE: 170, FIX: 190}
 
 
 class ProblemsPanel(QWidget):
@@ -55,7 +57,7 @@ class ProblemsPanel(QWidget):
         column.addWidget(self.list, 1)
         column.addWidget(self.more)
         self.setFocusProxy(self.list)
-        self._size_columns()
+        self._prepare_columns()
         studio.actions.add(problem_rows(self))
         self.findings.changed.connect(self._show)
         studio.closing.connect(self.findings.close)
@@ -67,14 +69,19 @@ class ProblemsPanel(QWidget):
         self.list.menu_wanted.connect(lambda spot: self.menu().popup(spot))
         self._show()
 
-    def _size_columns(self) -> None:
+    def _prepare_columns(self) -> None:
         header = self.list.header()
         header.setStretchLastSection(False)
         header.setSectionResizeMode(WHAT, QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(PLACE, QHeaderView.ResizeMode.Interactive)
-        header.setSectionResizeMode(FIX, QHeaderView.ResizeMode.Interactive)
-        header.resizeSection(PLACE, 170)
-        header.resizeSection(FIX, 190)
+        for column in WIDEST:
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
+
+    def _size_columns(self) -> None:
+        """No wider than what stands in them: what is wrong takes more words than where it is, and what mends it."""
+        header = self.list.header()
+        for column, widest in WIDEST.items():
+            needed = max(header.sectionSizeHint(column), self.list.sizeHintForColumn(column))
+            header.resizeSection(column, min(needed, widest))
 
     def _show(self) -> None:
         found = self.findings.found
@@ -85,6 +92,7 @@ class ProblemsPanel(QWidget):
             self.list.setCurrentIndex(self.model.index(min(max(row, 0), self.model.rowCount() - 1), WHAT))
         self.empty.setVisible(not count and self._studio.is_open)
         self.list.setVisible(bool(count))
+        self._size_columns()
         self.more.setText(f"and {found.more} more" if found.more else "")
         self.more.setVisible(bool(found.more))
         self.title_changed.emit(f"Problems {count}" if count else "Problems")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QAbstractSlider,
     QAbstractSpinBox,
@@ -27,13 +28,15 @@ MOVES = (
 )
 _MOVED = (QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox, QTabBar)
 _SWITCHED = (QCheckBox, QRadioButton)
+_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class OwnKeys(QObject):
-    """Lets lists, boxes and sliders have the keys that move through them, and switches the space bar.
+    """Lets lists, boxes and sliders have the keys that move through them; the space bar switches, Enter presses buttons.
 
     Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them. Before
-    that it does what it has put off, so that the key finds things, and what is possible, as they are by now.
+    that it does what it has put off, so that the key finds things, and what is possible, as they are by now. Buttons are
+    pressed by Enter, since time goes on and stops by the space bar wherever one is.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -41,14 +44,26 @@ class OwnKeys(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Take a key from the shortcuts if it belongs to what has the focus."""
-        if event.type() is not QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+        """Take a key from the shortcuts if it belongs to what has the focus; press a button that let Enter through."""
+        if not isinstance(event, QKeyEvent):
+            return False
+        if event.type() is QEvent.Type.KeyPress:
+            return _presses(event, QApplication.focusWidget())
+        if event.type() is not QEvent.Type.ShortcutOverride:
             return False
         catch_up()
         if belongs(event, QApplication.focusWidget()):
             event.accept()
             return True
         return False
+
+
+def _presses(event: QKeyEvent, focus: QWidget | None) -> bool:
+    """Press the button that has the focus, if the key does that; whether it did."""
+    if event.key() not in _ENTER or event.isAutoRepeat() or not isinstance(focus, QAbstractButton):
+        return False
+    focus.click()
+    return True
 
 
 def belongs(event: QKeyEvent, focus: QWidget | None) -> bool:

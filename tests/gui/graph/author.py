@@ -105,6 +105,11 @@ class Author:
 
     # --------------------------------------------------------------------------------------- menus and forms
 
+    def come_back(self) -> None:
+        """Once a menu is closed, the window has the keys again, as a window manager sees to."""
+        self.panel.activateWindow()
+        self.qtbot.waitUntil(self.panel.isActiveWindow, timeout=PATIENCE)
+
     def pick(self, menu: QMenu, text: str) -> None:
         """Click an entry of a menu."""
         action = next(action for action in menu.actions() if action.text() == text)

@@ -1,12 +1,15 @@
 """Automata are made on the graph by mouse and keys: states, transitions, guards, order, copies."""
 
+from itertools import combinations
+
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRectF, Qt
 
 from app.core.automaton import START, Automaton, Basic, Nested, RaiseFlag
 from app.core.conditions import AtMost, Condition, Equals
 from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.core.features import Ground, Parameter
+from app.editor.graph.edge_item import label_size
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -124,7 +127,7 @@ def test_a_transition_can_be_drawn_by_keys(blank: BehaviorKey, author: Author, s
     author.add_state("Forward")
     author.click(author.named("Start"))
     author.trigger("graph.link")
-    author.qtbot.keyClick(author.panel.view, Qt.Key.Key_Right)
+    author.qtbot.keyClick(author.panel.view, Qt.Key.Key_Down)
     author.key(Qt.Key.Key_Return)
     assert [(rule.source, rule.target) for rule in automaton(author).rules] == [(START, "forward")]
 
@@ -167,6 +170,84 @@ def test_probability_order_and_removal(author: Author, studio: Studio) -> None:
     assert [rule.probability for rule in automaton(author).rules_of("wander")] == [0.25, 1.0]
     author.press(author.panel.form.rules.blocks[0].removal)
     assert [rule.probability for rule in automaton(author).rules_of("wander")] == [1.0]
+
+
+def test_a_rule_is_made_by_keys_alone_and_they_go_on_where_it_goes_on(
+    blank: BehaviorKey, author: Author
+) -> None:
+    author.add_state("Forward")
+    author.link("Start", "Forward")
+    author.come_back()
+    assert author.block.add.hasFocus()
+    assert author.block.add.text() == "Only when …"
+    author.block.add.click()  # as Enter does in the window
+    author.settle()
+    assert author.row(0).what.hasFocus()
+    author.choose(author.row(0).what, "DistanceTo(deposit)")
+    author.come_back()
+    assert author.row(0).what.hasFocus()
+    author.row(0).removed.emit()
+    author.settle()
+    assert not automaton(author).rules[0].guard
+
+
+def test_keys_stay_on_a_rule_that_is_tried_earlier(author: Author) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    last = author.block.rule.id
+    author.block.earlier.setFocus()
+    author.block.earlier.click()
+    author.settle()
+    moved = next(block for block in author.panel.form.rules.blocks if block.rule.id == last)
+    assert (moved.order, moved.earlier.isEnabled(), moved.later.hasFocus()) == (1, False, True)
+
+
+def test_the_form_of_a_state_lists_its_rules_in_order_and_alt_with_an_arrow_moves_them(
+    author: Author, studio: Studio
+) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "Wander")
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_F2)
+    rules = author.panel.form.state.rules
+    before = [rule.id for rule in automaton(author).rules_of("wander")]
+    assert [
+        item.text().partition(":")[0] for item in rules.list.findItems("", Qt.MatchFlag.MatchContains)
+    ] == [
+        "→ ReturnWithBox",
+        "→ Wander",
+    ]
+    rules.choose(before[1])
+    author.qtbot.keyClick(rules.list, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
+    author.settle()
+    assert [rule.id for rule in automaton(author).rules_of("wander")] == before[::-1]
+    assert rules.current == before[1]
+    author.qtbot.keyClick(rules.list, Qt.Key.Key_Delete)
+    author.settle()
+    assert [rule.id for rule in automaton(author).rules_of("wander")] == before[:1]
+
+
+def test_the_keys_begin_in_what_a_new_state_leaves_open(blank: BehaviorKey, author: Author) -> None:
+    author.add_state("Goto(X)")
+    author.come_back()
+    assert author.panel.form.state.slots["X"].hasFocus()
+
+
+def test_words_at_transitions_between_states_that_were_dropped_do_not_cover_each_other(
+    blank: BehaviorKey, author: Author
+) -> None:
+    for name, place in (("Forward", QPoint(0, 90)), ("RotateLeft", QPoint(120, 0))):
+        start = author.at(author.named("Start"))
+        author.drop({"type": "authored-agent", "id": "", "basic": name}, start + place)
+    author.link("Start", "Forward")
+    author.link("Forward", "RotateLeft")
+    level = author.panel.scene.levels[()]
+    boxes = [
+        QRectF(x - width / 2, y - height / 2, width, height)
+        for key, run in level.runs.items()
+        for (x, y), (width, height) in [(run.label, label_size(level.labels[key]))]
+    ]
+    assert not [(a, b) for a, b in combinations(boxes, 2) if a.intersects(b)]
 
 
 def test_a_number_that_is_typed_is_one_step_to_undo(author: Author, studio: Studio) -> None:

@@ -192,3 +192,11 @@ def test_a_new_behavior_is_for_the_controller_that_is_selected(studio: Studio, q
         assert dialog.general.types.currentText() == kind
         dialog.reject()
     panel.hide()
+
+
+def test_enter_adds_a_feature_as_it_adds_a_state(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    choose(dialog.features.new.what, qtbot, "ICanSeeABox")
+    assert dialog.draft.automaton is not None
+    assert [use.shown for use in dialog.draft.automaton.features] == ["ICanSeeABox"]
+    assert dialog.features.new.what.currentText() == ""

@@ -162,3 +162,16 @@ def test_a_fix_whose_place_is_gone_meanwhile_is_refused_in_words(
         panel.mend(fix)
     assert said.args is not None
     assert "could not be done" in said.args[0].text
+
+
+def test_what_is_wrong_can_be_read_in_a_small_window(
+    studio: Studio, panel: ProblemsPanel, qtbot: QtBot
+) -> None:
+    panel.resize(620, 200)
+    add_idle_state(studio, panel, qtbot)
+    row = next(k for k, text in enumerate(texts(panel)) if "never entered" in text)
+    columns = {column: panel.list.columnWidth(column) for column in (WHAT, PLACE, FIX)}
+    for column in (PLACE, FIX):
+        assert columns[column] >= panel.list.sizeHintForColumn(column)
+    assert columns[WHAT] > columns[PLACE] + columns[FIX]
+    assert panel.model.index(row, FIX).data() == "Remove the state"

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QWidget
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QPushButton, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.editor.actions import ActionRow
@@ -74,6 +74,22 @@ def test_the_space_bar_switches_a_check_box_that_has_the_focus(later: MainWindow
     qtbot.keyClick(box, Qt.Key.Key_Space)
     assert box.isChecked()
     assert answered(later, qtbot) == 6
+
+
+@pytest.mark.parametrize("make", [QPushButton, QToolButton])
+def test_enter_presses_the_button_that_has_the_focus_and_the_space_bar_plays(
+    window: MainWindow, qtbot: QtBot, make: type[QAbstractButton]
+) -> None:
+    done = list[str]()
+    button = make(window)
+    button.clicked.connect(lambda: done.append("pressed"))
+    window.studio.actions["run.play"].triggered.connect(lambda: done.append("played"))
+    button.show()
+    button.setFocus()
+    qtbot.keyClick(button, Qt.Key.Key_Return)
+    assert done == ["pressed"]
+    qtbot.keyClick(button, Qt.Key.Key_Space)
+    assert done == ["pressed", "played"]
 
 
 @pytest.mark.parametrize("floats", [False, True])

@@ -8,13 +8,14 @@ from app.editor.graph.arrangement import (
     Request,
     at_once,
     border,
+    clear_of,
     from_dot,
     loop_of,
     middle_of,
     run_between,
     spread,
 )
-from app.editor.graph.dot import arranged
+from app.editor.graph.dot import arranged, not_reached
 from app.editor.graph.walking import next_one
 
 SIZE = (100.0, 36.0)
@@ -96,3 +97,22 @@ def test_arrow_keys_find_the_nearest_state_ahead() -> None:
     assert next_one((0.0, 0.0), others, (1.0, 0.0)) == "near"
     assert next_one((0.0, 0.0), others, (0.0, -1.0)) == "above"
     assert next_one((0.0, 0.0), others, (0.0, 1.0)) is None
+
+
+def test_states_that_nothing_leads_to_stand_below_start_with_room_for_a_transition() -> None:
+    answer = arranged({"nodes": REQUEST.nodes, "edges": ()})
+    places = from_dot(Request(REQUEST.nodes, ()), answer).places
+    assert {places[node][1] - places["start"][1] > 60.0 for node in ("a", "b", "lonely")} == {True}
+
+
+def test_of_states_that_cannot_be_reached_the_first_of_each_group_wants_a_transition() -> None:
+    edges = (("a", "b", 0.0, 0.0), ("b", "a", 0.0, 0.0))
+    assert not_reached({"nodes": REQUEST.nodes, "edges": edges}) == ["a", "lonely"]
+    assert not_reached({"nodes": REQUEST.nodes, "edges": REQUEST.edges}) == ["lonely"]
+
+
+def test_words_at_an_edge_make_room_for_what_is_there() -> None:
+    run, size = run_between((0.0, 0.0), SIZE, (0.0, 300.0), SIZE, bowed=False), (60.0, 28.0)
+    assert clear_of(run, size, ()).label == pytest.approx(middle_of(run.points))
+    x, y = clear_of(run, size, [(run.label, size)]).label
+    assert (x, abs(y - run.label[1]) >= 28.0) == (0.0, True)
