@@ -56,6 +56,7 @@ def document(result: Import) -> dict[str, object]:
                 "known_as": brought.known_as,
                 "is_here": brought.is_here,
                 "lacks_examples": brought.lacks_examples,
+                "completed": brought.completed,
             }
             for brought in result.behaviors
         ],

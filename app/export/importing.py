@@ -32,20 +32,24 @@ class Brought:
     Attributes:
         name: What the file calls it.
         id, known_as: Its id and its name in the project.
-        is_here: The project had the very same; nothing was added.
+        is_here: The project had the same already.
         lacks_examples: It runs what was learned, but the examples of that have stayed behind.
+        completed: The project had it without examples, and gets those of the file.
     """
 
     type: str
     name: str
     id: str
     known_as: str
-    is_here: bool
-    lacks_examples: bool
+    is_here: bool = False
+    lacks_examples: bool = False
+    completed: bool = False
 
     @property
     def fate(self) -> str:
         """What becomes of it, in words."""
+        if self.completed:
+            return "here already, without examples: those of the file are added"
         if self.is_here:
             return "here already, the same"
         if self.known_as != self.name:
@@ -80,6 +84,7 @@ class Import:
     def words(self) -> str:
         """What was brought: "Import Goto 2, Wander and the arm 'one level'"."""
         names = [brought.known_as for brought in self.added]
+        names += [f"examples of {brought.known_as}" for brought in self.behaviors if brought.completed]
         more = [f"{len(names) - MOST_NAMED} more"] if len(names) > MOST_NAMED else []
         arm = [f"the arm {self.arm!r}"] if self.arm and not self.arm_is_here else []
         told = [*names[:MOST_NAMED], *more, *arm] or [f"the node type {name!r}" for name in self.types]
@@ -208,7 +213,10 @@ class _Bringing:
     def _one(self, type_name: str, automaton: Automaton, ids: Mapping[str, str]) -> Brought:
         here = self.project.library(type_name).by_name(automaton.name)
         if here is not None and automaton.name not in self._names:
-            return Brought(type_name, automaton.name, here.id, here.name, is_here=True, lacks_examples=False)
+            completed = self._likeness.completes(type_name, automaton)
+            if completed:
+                self._complete(type_name, here, automaton, ids)
+            return Brought(type_name, here.name, here.id, here.name, is_here=True, completed=completed)
         name = self._names.get(automaton.name, automaton.name)
         new_id = self._free_id(type_name, automaton.id, name)
         states = tuple(self._state(type_name, state, ids) for state in automaton.states)
@@ -217,7 +225,21 @@ class _Bringing:
         project = with_automaton(self.project, type_name, new)
         self.project = with_examples(project, type_name, new_id, examples)
         lacks = bool(automaton.learned) and not examples
-        return Brought(type_name, automaton.name, new_id, name, is_here=False, lacks_examples=lacks)
+        return Brought(type_name, automaton.name, new_id, name, lacks_examples=lacks)
+
+    def _complete(
+        self, type_name: str, here: Automaton, automaton: Automaton, ids: Mapping[str, str]
+    ) -> None:
+        """Add examples to a behavior that had none, and the states that only they speak of."""
+        states = tuple(
+            here.state(state.id) if here.has_state(state.id) else self._state(type_name, state, ids)
+            for state in automaton.states
+        )
+        whole = replace(here, states=states, learned_from=automaton.learned_from)
+        examples = self._source.examples_of(type_name, automaton.id)
+        self.project = with_examples(
+            with_automaton(self.project, type_name, whole), type_name, here.id, examples
+        )
 
     def _free_id(self, type_name: str, wanted: str, name: str) -> str:
         """The id of the file where it is free, since others would know it by that."""

@@ -69,7 +69,21 @@ class Likeness:
         if _form(self._source, type_name, automaton) != _form(self._project, type_name, here):
             return False
         theirs = self._source.examples_of(type_name, automaton.id)
-        return not theirs or theirs in _taught(self._project, type_name, here)
+        return (
+            not theirs
+            or theirs in _taught(self._project, type_name, here)
+            or self.completes(type_name, automaton)
+        )
+
+    def completes(self, type_name: str, automaton: Automaton) -> bool:
+        """Whether the file has examples for a behavior that the project has already, but without any."""
+        here = self._project.library(type_name).by_name(automaton.name)
+        if here is None or self._project.examples_of(type_name, here.id):
+            return False
+        states = {state.id for state in automaton.states}
+        return bool(self._source.examples_of(type_name, automaton.id)) and all(
+            state.id in states for state in here.states
+        )
 
     def _mentioned(self, type_name: str, automaton: Automaton) -> set[str]:
         """The names of behaviors that an automaton of the file holds or directs."""

@@ -17,6 +17,23 @@ def choose_folder(window: QWidget, title: str, beside: Path, then: Callable[[Pat
     return dialog
 
 
+def choose_existing(
+    window: QWidget, title: str, beside: Path, kinds: str, then: Callable[[Path], object]
+) -> QFileDialog:
+    """Ask for a file to read; *then* is given it.
+
+    Args:
+        beside: The folder that is shown first.
+        kinds: What it may be, as `QFileDialog` wants it: "JSON (*.json)".
+    """
+    dialog = QFileDialog(window, title, str(beside), kinds)
+    dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+    dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.open()
+    return dialog
+
+
 def choose_file(
     window: QWidget, title: str, proposed: Path, kinds: str, then: Callable[[Path], object]
 ) -> QFileDialog:

@@ -31,7 +31,7 @@ from .new_project import NewProject, Order
 from .opening import Opening, Wish
 from .outside import Stamps, changes, stamps_of
 from .private import private_folder, unnamed_folder
-from .rows import file_rows
+from .rows import file_rows, leaving_rows
 from .save_as import SaveAs
 from .saving import Saving, Stored
 from .words import clock
@@ -74,8 +74,12 @@ class Files(QObject):
         window.installEventFilter(self)
 
     def rows(self) -> tuple[ActionRow, ...]:
-        """The actions of the File menu."""
+        """The first actions of the File menu."""
         return file_rows(self)
+
+    def leaving_rows(self) -> tuple[ActionRow, ...]:
+        """The last ones."""
+        return leaving_rows(self)
 
     @property
     def is_asking(self) -> bool:

@@ -17,7 +17,7 @@ def can_save(studio: Studio) -> bool:
 
 
 def file_rows(files: Files) -> tuple[ActionRow, ...]:
-    """New, open, save, close."""
+    """New, open, save."""
     return (
         ActionRow(
             "file.new",
@@ -71,6 +71,12 @@ def file_rows(files: Files) -> tuple[ActionRow, ...]:
             icon="file-refresh-outline",
             enabled=lambda studio: studio.is_open and files.held.folder is not None,
         ),
+    )
+
+
+def leaving_rows(files: Files) -> tuple[ActionRow, ...]:
+    """Close and quit, which stand last."""
+    return (
         ActionRow(
             "file.close",
             "Close project",

@@ -225,6 +225,17 @@ def test_what_comes_without_its_examples_is_said() -> None:
     assert {b.name for b in result.added if b.lacks_examples} == {"Forage", "Wander", "Goto", "ReturnWithBox"}
 
 
+def test_a_behavior_that_came_without_examples_gets_them_later() -> None:
+    bare = bring(empty(), foraging, bundle_of_behavior(FORAGING, foraging, "agent", "forage")).project
+    bundle = bundle_of_behavior(FORAGING, foraging, "agent", "forage", examples=True)
+    result = bring(bare, foraging, bundle)
+    assert not result.added
+    assert all(brought.completed for brought in result.behaviors)
+    assert result.words == "Import examples of Goto, examples of ReturnWithBox, examples of Wander and 1 more"
+    assert result.project == bring(empty(), foraging, bundle).project
+    assert bring(result.project, foraging, bundle).project is result.project
+
+
 def test_the_same_behavior_with_other_examples_is_another_one() -> None:
     bundle = bundle_of_behavior(FORAGING, foraging, "agent", "wander", examples=True)
     assert not bring(FORAGING, foraging, bundle).added
