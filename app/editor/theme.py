@@ -233,7 +233,7 @@ QSlider::handle:horizontal:hover {{ background: {hover}; }}
 QSlider::handle:horizontal:focus {{ background: {colors.raised}; border: 2px solid {colors.accent}; width: 10px; }}
 QSlider::sub-page:horizontal:disabled {{ background: {handle}; }}
 QSlider::handle:horizontal:disabled {{ background: {colors.panel}; border-color: {handle}; }}
-QTableView {{ outline: none; }}
+QTableView, QTreeView, QListView {{ outline: none; }}
 QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
 QPlainTextEdit[role="details"] {{ background: {colors.raised}; border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 4px; }}

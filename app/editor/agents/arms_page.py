@@ -96,6 +96,7 @@ class ArmsPage(QWidget):
         right.addLayout(form)
         right.addWidget(inner, 1)
         left = QVBoxLayout()
+        left.setSpacing(8)  # rather than that of the columns
         left.addWidget(self.arms, 1)
         for button in (self.add, self.copy, self.use):
             left.addWidget(button)

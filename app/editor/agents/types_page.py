@@ -56,6 +56,8 @@ class TypesPage(QWidget):
         framed(self.below, studio.theme)
         self.trouble = Complaint(studio.theme)
         left, right = QVBoxLayout(), QVBoxLayout()
+        for part in (left, right):
+            part.setSpacing(8)  # rather than that of the columns
         left.addWidget(self.types, 1)
         left.addWidget(self.add)
         right.addWidget(self.facts)

@@ -46,6 +46,7 @@ class WorldsPage(QWidget):
         self.parameters.settled.connect(studio.document.end_gesture)
         self.trouble = Complaint(studio.theme)
         left = QVBoxLayout()
+        left.setSpacing(8)  # rather than that of the columns
         left.addWidget(self.worlds, 1)
         left.addWidget(self.add)
         left.addWidget(

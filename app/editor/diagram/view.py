@@ -9,7 +9,7 @@ from ..theme import Theme
 LEAST, MOST = 0.08, 4.0
 #: One notch of the wheel.
 STEP = 1.2
-#: A diagram that is fitted in is never drawn larger, and smaller only as far as it can be read.
+#: A diagram that is fitted in is never drawn larger, and smaller than it can be read only where the user wants all of it.
 FITTED, READABLE = 1.0, 0.75
 MARGIN = 12.0
 #: Pixels of the scene around a diagram, into which it can be dragged.
@@ -27,6 +27,7 @@ class DiagramView(QGraphicsView):
         super().__init__(scene)
         self._theme = theme
         self.is_fitted = True
+        self._least = READABLE
         self._shown_whole = QRectF(), QSize()
         self._pan_from: QPoint | None = None
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -57,6 +58,15 @@ class DiagramView(QGraphicsView):
 
     def fit(self) -> None:
         """Show the whole diagram, or as much of it as can be read, and scroll bars for the rest."""
+        self._least = READABLE
+        self._fit_in()
+
+    def fit_whole(self) -> None:
+        """Show the whole diagram, however small, and go on with that until the user pans or zooms."""
+        self._least = LEAST
+        self._fit_in()
+
+    def _fit_in(self) -> None:
         self.is_fitted = True
         whole, seen = self.contents(), self.maximumViewportSize()
         self._shown_whole = whole, seen
@@ -64,7 +74,7 @@ class DiagramView(QGraphicsView):
             return
         wide = (seen.width() - 2 * MARGIN) / whole.width()
         high = (seen.height() - 2 * MARGIN) / whole.height()
-        scale = max(READABLE, min(wide, high, FITTED))
+        scale = max(self._least, min(wide, high, FITTED))
         self.resetTransform()
         self.scale(scale, scale)
         self._frame(MARGIN / 2 / scale, Qt.ScrollBarPolicy.ScrollBarAsNeeded)
@@ -79,6 +89,7 @@ class DiagramView(QGraphicsView):
     def _take_over(self) -> None:
         """The user has panned or zoomed: the diagram goes wherever it is put, even out of sight."""
         self.is_fitted = False
+        self._least = READABLE
         self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def _scrolled(self) -> None:
@@ -106,7 +117,7 @@ class DiagramView(QGraphicsView):
         if not self.is_fitted:
             self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         elif self._shown_whole != (self.contents(), self.maximumViewportSize()):
-            self.fit()
+            self._fit_in()
 
     # ---------------------------------------------------------------------------------------------- the hand
 
@@ -150,4 +161,4 @@ class DiagramView(QGraphicsView):
         """Stay fitted in."""
         super().resizeEvent(event)
         if self.is_fitted and self._shown_whole[1] != self.maximumViewportSize():
-            self.fit()
+            self._fit_in()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBox
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
 from ...engine.worker import Worker
 from ..actions import ActionRow
+from ..forms.nothing import NothingFound
 from ..icons import icon
 from ..row_spans import selected_rows, spans
 from ..soon import Soon
@@ -35,6 +36,7 @@ _ICONS = {
 }
 #: Milliseconds without another change before examples are judged: ten thousand take a while, and what is shown goes first.
 PATIENCE = 120
+NOTHING_FOUND = "No example passes the filters. Show all takes them away."
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
 
 
@@ -60,6 +62,7 @@ class ExamplesPanel(QWidget):
         self._empty.setWordWrap(True)
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._lay_out()
+        NothingFound(self.table, NOTHING_FOUND, lambda: not self.filters.is_open)
         self._shown: tuple[object, object] = (None, None)
         self._cursor = "", 0  # an example and a column
         self._matter: Matter | None = None

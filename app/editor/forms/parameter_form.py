@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from ...core.project import Value
 from ...sim.parameters import default
 from ..icons import icon
-from ..number_box import roomy
+from ..number_box import RealBox, roomy
 
 if TYPE_CHECKING:
     from ..theme import Theme
@@ -157,7 +157,7 @@ class ParameterForm(QWidget):
             )
             self._connect(name, whole)
             return whole
-        real = roomy(QDoubleSpinBox(decimals=4))
+        real = roomy(RealBox(decimals=4))
         real.setRange(-MOST if low is None else low, MOST if high is None else high)
         real.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         self._connect(name, real)

@@ -44,7 +44,7 @@ def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
             "tree.fit",
             "Fit the decision tree in",
             "",
-            lambda _: panel.view.fit(),
+            lambda _: panel.view.fit_whole(),
             icon="fit-to-page-outline",
             tip="Show the whole decision tree; the wheel zooms",
             enabled=has_tree,

@@ -132,7 +132,7 @@ class Subject:
         bare = [Prune(p.id, p.source, (), p.forbidden) for p in prunes]
         left = pruned(shares(leaf.counts), self.labels, bare, lambda _: 0.0)
         if sum(left) <= 0.0:
-            return self.name(self.state), "pruned: stays"
+            return self.name(self.state), "pruned"
         best = max(range(len(left)), key=lambda place: left[place])
         p = f"{left[best]:.1f}" if left[best] == 1.0 else number(left[best], 2)
         return self.name(self.labels[best]), f"p {p}"

@@ -13,6 +13,7 @@ from app.core.hierarchy import Hierarchy, Node, from_table
 from app.core.project import LevelTable
 from app.editor.agents.forest_model import ForestModel
 from app.editor.agents.panel import AgentsPanel
+from app.editor.forms.nothing import NothingFound
 from app.editor.studio import Studio
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
@@ -254,3 +255,13 @@ def test_a_node_that_is_chosen_still_shows_that_it_unfolds(
         picture.pixelColor(x, y).lightness() for x in range(picture.width()) for y in range(picture.height())
     }
     assert max(shades) - min(shades) > 60  # the arrow, dark on the ground of a chosen row
+
+
+def test_a_filter_that_nothing_passes_says_so(panel: AgentsPanel, qtbot: QtBot) -> None:
+    words = panel.tree.findChild(NothingFound)
+    assert isinstance(words, NothingFound)
+    assert words.isHidden()
+    qtbot.keyClicks(panel.filter, "no such thing")
+    assert words.isVisible()
+    panel.filter.clear()
+    assert words.isHidden()

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSpinBox, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.core.hierarchy import Hierarchy, Node
@@ -195,3 +195,9 @@ def test_a_regular_forest_is_shown_as_a_table_and_another_is_not() -> None:
     assert as_table(from_table(table.sizes, table.types)) == table
     uneven = Hierarchy((Node("g", "group", (Node("a", "agent"),)), Node("b", "agent")))
     assert as_table(uneven) is None
+
+
+def test_parameters_are_shown_with_as_few_digits_as_say_them(dialog: ArmsDialog) -> None:
+    dialog.tabs.setCurrentWidget(dialog.worlds)
+    shown = [dialog.worlds.parameters.editor(name) for name in ("width", "step")]
+    assert [box.text() for box in shown if isinstance(box, QDoubleSpinBox)] == ["200", "0.1"]

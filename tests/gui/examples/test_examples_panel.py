@@ -10,6 +10,7 @@ from app.core.examples import Example
 from app.editor.examples.model import Column, ExamplesModel, Index
 from app.editor.examples.panel import ExamplesPanel
 from app.editor.examples.verdicts import Verdict
+from app.editor.forms.nothing import NothingFound
 from app.editor.selection import BehaviorKey
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import PATIENCE
@@ -157,6 +158,18 @@ def test_filters_narrow_the_table_and_are_cleared_at_once(panel: ExamplesPanel, 
     assert len(shown) < everything
     qtbot.mouseClick(panel.filters.clear, Qt.MouseButton.LeftButton)
     assert panel.model.counts[0] == everything
+
+
+def test_filters_that_no_example_passes_say_so(panel: ExamplesPanel, qtbot: QtBot) -> None:
+    words = panel.table.findChild(NothingFound)
+    assert isinstance(words, NothingFound)
+    panel.filters.choose(panel.filters.source, panel.model.example(0).source)
+    panel.filters.choose(panel.filters.label, panel.model.example(0).label)
+    assert words.isHidden()
+    panel.filters.choose(panel.filters.verdict, Verdict.LEFT_OUT)
+    assert words.isVisible()
+    qtbot.mouseClick(panel.filters.clear, Qt.MouseButton.LeftButton)
+    assert words.isHidden()
 
 
 def test_a_conflict_is_marked_and_can_be_filtered_for(

@@ -156,3 +156,16 @@ def test_a_behavior_that_is_gone_leaves_an_explanation(
 ) -> None:
     studio.close_project()
     qtbot.waitUntil(lambda: panel.root is None and not panel.scene.states, timeout=PATIENCE)
+
+
+def test_all_of_an_automaton_is_seen_where_the_user_asks_for_it(
+    panel: GraphPanel, author: Author, studio: Studio
+) -> None:
+    studio.selection.select_behavior(BehaviorKey("agent", "return-with-box"))
+    author.settle()
+    panel.resize(300, 300)
+    seen = panel.view.viewport().rect()
+    places = [item.sceneBoundingRect() for item in panel.scene.states.values()]
+    assert not all(seen.contains(panel.view.mapFromScene(place).boundingRect()) for place in places)
+    studio.actions["graph.fit"].trigger()
+    assert all(seen.contains(panel.view.mapFromScene(place).boundingRect()) for place in places)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import disable_examples, duplicate_automaton, rename_automaton, set_note
+from app.editor.forms.nothing import NothingFound
 from app.editor.library.delegate import USED_BY, layout
 from app.editor.library.deleting import ReplaceDialog
 from app.editor.library.model import FIT, MIME, ROW
@@ -341,3 +342,13 @@ def test_the_context_menu_offers_the_same_actions(panel: LibraryPanel) -> None:
     for text in ("Rename", "Duplicate", "Delete behavior…", "Behavior settings…", "Used by (4)"):
         assert text in texts
     menu.close()
+
+
+def test_a_filter_that_nothing_passes_says_so(panel: LibraryPanel, qtbot: QtBot) -> None:
+    words = panel.tree.findChild(NothingFound)
+    assert isinstance(words, NothingFound)
+    assert words.isHidden()
+    qtbot.keyClicks(panel.filter, "no such thing")
+    assert words.isVisible()
+    panel.filter.clear()
+    assert words.isHidden()

@@ -57,7 +57,7 @@ def test_a_leaf_is_pruned_by_delete_and_the_prune_is_kept_by_learning(
     (prune,) = automaton(studio, FORAGE).prunes
     assert prune.forbidden == {"return-with-box"}
     assert panel.subject is not None
-    assert panel.subject.words(panel.scene.nodes[3].knot).under == "2 examples · pruned: stays"
+    assert panel.subject.words(panel.scene.nodes[3].knot).under == "2 examples · pruned"
     learned_again(studio, qtbot, FORAGE)
     assert automaton(studio, FORAGE).prunes == (prune,)
     studio.undo()
