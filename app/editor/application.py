@@ -25,7 +25,7 @@ from .window.main_window import MainWindow
 SWITCH = 0.00025
 #: Looking through all objects for garbage stops every thread, for a tenth of a second in a large world, and reference
 #: counts free nearly everything anyway: young objects are looked through after so many, old ones hardly ever.
-GARBAGE = (5_000, 10, 1_000)
+GARBAGE = (2_000, 5, 5_000)
 #: What takes long to import and is not needed at once, and after how many milliseconds it is imported all the same.
 LATER, AHEAD = ".plots.lines_view", 2_000
 _LEVELS = {

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 
 def quiet_plot(name: str) -> Any:
     """A plot over ticks; *name* is for those who cannot see it."""
-    plot = pg.PlotWidget()
-    plot.setMenuEnabled(False)
+    plot = pg.PlotWidget(enableMenu=False)
     plot.hideButtons()
     plot.setMouseEnabled(x=True, y=False)
     plot.setAccessibleName(name)

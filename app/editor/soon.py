@@ -1,9 +1,10 @@
-"""What is done soon, once for all that asks for it: after all that is going on now, and before the next key."""
+"""What is done soon, once for all that asks for it: after all that is going on now, a bit at a time."""
 
 from collections import deque
 from collections.abc import Callable
 from functools import cache
 from time import perf_counter
+from typing import ClassVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from shiboken6 import isValid
@@ -15,43 +16,81 @@ ROUNDS = 3
 
 
 class Soon(QObject):
-    """Does something once, after all that is going on now, however often it is asked for until then.
+    """Does something once, after all that is going on now and before the next key, however often it is asked for.
 
     A timer of its own would do it too, but keys that come fast, or while the window is busy, are all delivered before a
     timer's turn: they would find what the first of them has changed as it was before. So who deals with keys catches up.
     """
 
+    #: All that is due, the longest first.
+    line: ClassVar[deque["Soon"]] = deque()
+
     def __init__(self, parent: QObject, do: Callable[[], object]) -> None:
         super().__init__(parent)
         self._do = do
-        self._is_due = False
+        self._is_in_line = False
 
     @property
     def is_due(self) -> bool:
         """Whether it was asked for and is not done yet."""
-        return self._is_due
+        return self._is_in_line
 
     def ask(self, *_: object) -> None:
         """Do it soon; any signal may ask for it."""
-        if not self._is_due:
-            self._is_due = True
-            _due.append(self)
+        self._line_up()
+
+    def _line_up(self) -> None:
+        if not self._is_in_line:
+            self._is_in_line = True
+            self.line.append(self)
             _timer().start()
 
     def forget(self) -> None:
         """Do not do it after all."""
-        if self._is_due:
-            self._is_due = False
-            _due.remove(self)
+        if self._is_in_line:
+            self._is_in_line = False
+            self.line.remove(self)
 
     def be_done(self) -> None:
         """It is time."""
-        self._is_due = False
+        self._is_in_line = False
         self._do()
 
 
-#: What is due, the longest first.
-_due: deque[Soon] = deque()
+class Later(Soon):
+    """Does something once, so many milliseconds after it is asked for first: what follows the world, which no key waits for.
+
+    Timers that are late are all done in a row, which makes them later still; those of this kind are taken one by one.
+    """
+
+    line: ClassVar[deque[Soon]] = deque()
+
+    def __init__(self, parent: QObject, do: Callable[[], object], after: int = 0) -> None:
+        super().__init__(parent, do)
+        self._wait = QTimer(self, interval=after, singleShot=True)
+        self._wait.timeout.connect(self._line_up)
+
+    @property
+    def is_due(self) -> bool:
+        """Whether it was asked for and is not done yet."""
+        return self._is_in_line or self._wait.isActive()
+
+    def ask(self, *_: object) -> None:
+        """Do it once the time has passed."""
+        if self._wait.interval() == 0:
+            self._line_up()
+        elif not self.is_due:
+            self._wait.start()
+
+    def hurry(self) -> None:
+        """Do it as soon as possible, at whatever time it was last done."""
+        self._wait.stop()
+        self._line_up()
+
+    def forget(self) -> None:
+        """Do not do it after all."""
+        self._wait.stop()
+        super().forget()
 
 
 @cache
@@ -62,8 +101,8 @@ def _timer() -> QTimer:
     return timer
 
 
-def _do_first() -> None:
-    first = _due.popleft()
+def _do_first(line: deque[Soon]) -> None:
+    first = line.popleft()
     if isValid(first):  # otherwise whoever it was for is gone
         first.be_done()
 
@@ -71,18 +110,19 @@ def _do_first() -> None:
 def _work() -> None:
     end = perf_counter() + SPELL
     try:
-        while _due:
-            _do_first()
+        while line := Soon.line or Later.line:
+            _do_first(line)
             if perf_counter() >= end:
                 break
     finally:
-        if _due:
+        if Soon.line or Later.line:
             _timer().start()
 
 
 def catch_up() -> None:
-    """Do now all that is to be done soon."""
+    """Do now all that is to be done before the next key."""
+    line = Soon.line
     for _ in range(ROUNDS):
-        for _ in range(len(_due)):
-            if _due:  # one may have given up another
-                _do_first()
+        for _ in range(len(line)):
+            if line:  # one may have given up another
+                _do_first(line)

@@ -47,12 +47,12 @@ class Place:
         return tuple(node.id for node in self.hierarchy.agents())
 
     @cached_property
-    def _names(self) -> Mapping[str, str]:
-        return {node.id: node_words(node) for node in self.hierarchy.walk()}
+    def _nodes(self) -> Mapping[str, Node]:
+        return {node.id: node for node in self.hierarchy.walk()}
 
     def called(self, node_id: str) -> str:
         """What the user calls a node; one that is not here goes by its id."""
-        return self._names.get(node_id) or node_words(Node(node_id, ""))
+        return node_words(self._nodes.get(node_id) or Node(node_id, ""))
 
     def entity_called(self, entity: int) -> str:
         """What the user calls an entity: an agent by its name, ``box 3``, or just ``deposit`` where there is but one."""

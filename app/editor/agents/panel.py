@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelectionModel, Qt, QTimer
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -23,8 +23,9 @@ from ...core.hierarchy import Hierarchy, Node, problems
 from ...core.project import Arm, Value
 from ...engine.commands import Reset
 from ...engine.snapshots import Doing
+from ..forms.nothing import NothingFound
 from ..forms.parts import Complaint
-from ..soon import Soon
+from ..soon import Later, Soon
 from .delegate import NodeDelegate
 from .forest_hand import ForestHand, forest_of
 from .forest_model import ForestModel, filtered
@@ -40,6 +41,7 @@ LIVE = 100
 NARROWEST = 210
 #: Actions of the context menu; an empty one is a line.
 MENU = ("node.rename", "node.group", "node.dissolve", "node.remove", "", "arm.settings")
+NOTHING_FOUND = "No agent or controller is called so."
 HELD = "The world keeps the forest and parameters it began with until Reset."
 
 
@@ -74,14 +76,14 @@ class AgentsPanel(QWidget):
         self.empty = QLabel("There is no arm yet. Arms and worlds (Ctrl+Shift+I) makes the first.")
         self.held = QFrame()
         self.reset = QPushButton("Reset")
-        self._live = QTimer(self, interval=LIVE, singleShot=True)
-        self._live.timeout.connect(self._show_doing)
+        self._live = Later(self, self._show_doing, LIVE)
         self._soon = Soon(self, self.follow)
         self._reselect = Soon(
             self, self._show_selected
         )  # apart from following: laying out many rows takes a while
         studio.actions.add(agent_rows(self))
         self._lay_out()
+        NothingFound(self.tree, NOTHING_FOUND, lambda: bool(self.filter.text()))
         self._connect()
         self.follow()
 
@@ -211,8 +213,8 @@ class AgentsPanel(QWidget):
         return not arm.world or arm.world in self._studio.document.project.worlds
 
     def _snapshot_changed(self, _snapshot: object) -> None:
-        if not self._live.isActive() and self.isVisible():
-            self._live.start()
+        if self.isVisible():
+            self._live.ask()
 
     def _show_doing(self) -> None:
         """Paint again what nodes do, if that has changed."""
@@ -224,7 +226,7 @@ class AgentsPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what happened meanwhile."""
         super().showEvent(event)
-        self._live.start()
+        self._live.ask()
 
     # ----------------------------------------------------------------------------------------- selecting
 

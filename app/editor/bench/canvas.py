@@ -40,7 +40,7 @@ def canvas_frames(agents: int, options: Options = Options(), levels: int = 1) ->
     """
     _application()
     colors, ink, trails = BehaviorColors(), Ink(), Trails()
-    image = QImage(*SIZE, QImage.Format.Format_ARGB32_Premultiplied)
+    image, window = (QImage(*SIZE, QImage.Format.Format_ARGB32_Premultiplied) for _ in range(2))
     seconds = []
     for scene in _scenes(agents, levels):
         began = perf_counter()
@@ -53,6 +53,9 @@ def canvas_frames(agents: int, options: Options = Options(), levels: int = 1) ->
         painter = QPainter(image)
         paint(painter, frame, ink, controller_colors(frame, ColorBy.CURRENT, colors) or [QColor(DARK.dim)])
         painter.end()
+        onto = QPainter(window)
+        onto.drawImage(0, 0, image)
+        onto.end()
         seconds.append(perf_counter() - began)
     return 1.0 / median(seconds[WARM:])
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, pi
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QPixmap, QPolygonF, QTransform
 
 from ..theme import mixed
 from .arrays import FRAGMENT
@@ -71,13 +71,22 @@ class Atlas:
         painter = QPainter(self.pixmap)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for row, look in enumerate(looks):
-            for column in range(self._headings):
-                painter.resetTransform()
-                painter.translate((column + 0.5) * self._cell, (row + 0.5) * self._cell)
-                painter.scale(style.ratio, style.ratio)
-                painter.rotate(-column * 360.0 / self._headings)
-                paint_agent(painter, look, style)
+            self._paint_row(painter, row, tuple(strokes_of(look, style)))
         painter.end()
+
+    def _paint_row(self, painter: QPainter, row: int, strokes: Sequence[Stroke]) -> None:
+        """One look in all headings; pens and shapes are made but once."""
+        ratio = self.style.ratio
+        turned = []
+        for column in range(self._headings):
+            turn = QTransform.fromTranslate((column + 0.5) * self._cell, (row + 0.5) * self._cell)
+            turned.append(turn.scale(ratio, ratio).rotate(-column * 360.0 / self._headings))
+        for stroke in strokes:
+            painter.setPen(stroke.pen)
+            painter.setBrush(stroke.brush)
+            for turn in turned:
+                painter.setTransform(turn)
+                painter.drawPath(stroke.path)
 
     def fragments(
         self,
@@ -105,25 +114,38 @@ class Atlas:
         return made
 
 
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A shape with its pen and brush."""
+
+    pen: QPen
+    brush: QBrush
+    path: QPainterPath
+
+
 def paint_agent(painter: QPainter, look: Look, style: Style) -> None:
-    """An agent around the origin that heads along x: filled, outlined, or a ring; a dot if it is very small."""
+    """An agent around the origin that heads along x."""
+    for stroke in strokes_of(look, style):
+        painter.setPen(stroke.pen)
+        painter.setBrush(stroke.brush)
+        painter.drawPath(stroke.path)
+
+
+def strokes_of(look: Look, style: Style) -> Iterator[Stroke]:
+    """What an agent is drawn from: it is filled, outlined, or a ring; a dot if it is very small."""
     color = QColor(*look.color)
     if style.size < DOT:
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
         radius = max(style.size * 0.38, 1.1)
-        painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
+        yield Stroke(QPen(Qt.PenStyle.NoPen), QBrush(color), _disk(radius))
         return
     shape, attached = look.shape % SHAPES, look.shape >= SHAPES
     width = min(max(style.size * 0.1, 1.1), 2.5)
     outline = QPen(color, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
     hollow = shape in (BASICS, IDLES)
-    painter.setPen(outline if hollow else QPen(_edge(color, style), max(width * 0.5, 0.8)))
-    painter.setBrush(QColor(style.ground) if hollow else color)
-    painter.drawPath(_body(shape, style.size))
+    pen = outline if hollow else QPen(_edge(color, style), max(width * 0.5, 0.8))
+    yield Stroke(pen, QBrush(QColor(style.ground) if hollow else color), _body(shape, style.size))
     if attached:
-        painter.setPen(QPen(color, width * 1.3))
-        painter.drawLine(*(QPointF(x, y) * style.size for x, y in _BAR))
+        yield Stroke(QPen(color, width * 1.3), QBrush(Qt.BrushStyle.NoBrush), _bar(style.size))
 
 
 def _edge(color: QColor, style: Style) -> QColor:
@@ -140,12 +162,24 @@ def _luminance(color: QColor) -> float:
 
 
 def _body(shape: int, size: float) -> QPainterPath:
-    path = QPainterPath()
     if shape == IDLES:
-        path.addEllipse(QPointF(0.0, 0.0), _IDLE_RADIUS * size, _IDLE_RADIUS * size)
+        path = _disk(_IDLE_RADIUS * size)
         path.moveTo(_IDLE_RADIUS * size, 0.0)
         path.lineTo(0.5 * size, 0.0)
         return path
+    path = QPainterPath()
     path.addPolygon(QPolygonF([QPointF(x, y) * size for x, y in _ARROW]))
     path.closeSubpath()
+    return path
+
+
+def _disk(radius: float) -> QPainterPath:
+    path = QPainterPath()
+    path.addEllipse(QPointF(0.0, 0.0), radius, radius)
+    return path
+
+
+def _bar(size: float) -> QPainterPath:
+    path = QPainterPath()
+    path.addPolygon(QPolygonF([QPointF(x, y) * size for x, y in _BAR]))
     return path

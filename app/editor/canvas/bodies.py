@@ -6,11 +6,13 @@ from collections.abc import Iterator
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
 from ...sim.columns import AGENT
 from ..theme import text_font
+from .arrays import Floats, draw_copies
 from .frame import Frame, load_radius
 from .ink import Ink
 
@@ -19,19 +21,21 @@ WORDS, ROOM = 10, 7.5
 #: Pixels: larger bodies are drawn anew each time, rather than kept.
 LARGE = 60.0
 
+Rows = NDArray[np.int64]
+
 
 def paint_bodies(painter: QPainter, frame: Frame, ink: Ink) -> None:
     """Every entity that is neither agent nor place, and counts where there is room for them."""
     scene, look = frame.scene, frame.scene.place.look
-    x, y = (values.tolist() for values in frame.places())
     for kind, span in scene.place.spans.items():
         if kind == AGENT or kind in look.places:
             continue
         true = load_radius(scene, kind, frame.camera, frame.extent)
-        for entity, words, full in _told(frame, kind, span):
+        for entities, words, full in _sorts(frame, kind, span):
             radius = _wide_enough(ink, words, true)
-            if _in_view(frame, x[entity], y[entity], radius):
-                _paint_kept(painter, frame, ink, QPointF(x[entity], y[entity]), (words, radius, full))
+            x, y = _in_view(frame, entities, radius)
+            if x.size:
+                _paint_all(painter, frame, ink, (x, y), (words, radius, full))
 
 
 def paint_counts(painter: QPainter, frame: Frame, ink: Ink) -> None:
@@ -41,14 +45,11 @@ def paint_counts(painter: QPainter, frame: Frame, ink: Ink) -> None:
     if span is None or not look.got:
         return
     true = load_radius(scene, look.loads, frame.camera, frame.extent)
-    x, y = frame.places()
-    for entity, words, _ in _told(frame, look.loads, span) if true >= ROOM else ():
-        if words.startswith("0/") or not _in_view(frame, x[entity], y[entity], true):
-            continue
-        key = ("count", words, frame.palette.raised, frame.ratio)
-        pixmap = ink.pixmap(key, partial(_count, frame, words))
-        size = pixmap.deviceIndependentSize()
-        painter.drawPixmap(QPointF(x[entity] - size.width() / 2, y[entity] - size.height() / 2), pixmap)
+    for entities, words, _ in _sorts(frame, look.loads, span) if true >= ROOM else ():
+        x, y = _in_view(frame, entities, true)
+        if x.size and not words.startswith("0/"):
+            key = ("count", words, frame.palette.raised, frame.ratio)
+            draw_copies(painter, ink.pixmap(key, partial(_count, frame, words)), x, y)
 
 
 def _count(frame: Frame, words: str) -> QPixmap:
@@ -68,16 +69,17 @@ def _count(frame: Frame, words: str) -> QPixmap:
     return pixmap
 
 
-def _told(frame: Frame, kind: str, span: range) -> Iterator[tuple[int, str, bool]]:
-    """Entities of a kind with what is written on them, and whether as many hold them as they need."""
+def _sorts(frame: Frame, kind: str, span: range) -> Iterator[tuple[Rows, str, bool]]:
+    """The entities of a kind by what is written on them, and whether as many hold them as they need."""
     look, columns = frame.scene.place.look, frame.scene.columns
+    everyone = np.arange(span.start, span.stop)
     if kind != look.loads or not (look.got and look.needed):
-        yield from ((entity, "", False) for entity in span)
+        yield everyone, "", False
         return
-    got = np.asarray(columns[look.got])[span.start : span.stop].tolist()
-    needed = np.asarray(columns[look.needed])[span.start : span.stop].tolist()
-    for entity, have, need in zip(span, got, needed, strict=True):
-        yield entity, f"{have}/{need}", 0 < need <= have
+    got, needed = (np.asarray(columns[name], np.int64)[everyone] for name in (look.got, look.needed))
+    pairs, which = np.unique(np.stack((got, needed), axis=1), axis=0, return_inverse=True)
+    for k, (have, need) in enumerate(pairs.tolist()):
+        yield everyone[which.reshape(-1) == k], f"{have}/{need}", 0 < need <= have
 
 
 def _wide_enough(ink: Ink, words: str, true: float) -> float:
@@ -87,23 +89,28 @@ def _wide_enough(ink: Ink, words: str, true: float) -> float:
     return max(true, min(ink.size(words, WORDS).width() / 2 + 3.0, 1.7 * true))
 
 
-def _in_view(frame: Frame, x: float, y: float, radius: float) -> bool:
-    return -radius < x < frame.camera.width + radius and -radius < y < frame.camera.height + radius
+def _in_view(frame: Frame, entities: Rows, radius: float) -> tuple[Floats, Floats]:
+    """Where those of them are of which something can be seen."""
+    x, y = (values[entities] for values in frame.places())
+    across, down = (
+        (-radius < values) & (values < size + radius)
+        for values, size in ((x, frame.camera.width), (y, frame.camera.height))
+    )
+    return x[across & down], y[across & down]
 
 
-def _paint_kept(
-    painter: QPainter, frame: Frame, ink: Ink, center: QPointF, body: tuple[str, float, bool]
+def _paint_all(
+    painter: QPainter, frame: Frame, ink: Ink, places: tuple[Floats, Floats], body: tuple[str, float, bool]
 ) -> None:
-    """A body from a pixmap that was drawn before."""
+    """The same body at many places, from a pixmap that was drawn before."""
     words, radius, full = body
     if radius > LARGE:
-        _paint_body(painter, frame, ink, center, body)
+        for x, y in zip(*(values.tolist() for values in places), strict=True):
+            _paint_body(painter, frame, ink, QPointF(x, y), body)
         return
     radius = round(radius * 2) / 2
     key = (words, radius, full, frame.palette.raised, frame.ratio)
-    pixmap = ink.pixmap(key, lambda: _drawn(frame, ink, (words, radius, full)))
-    half = pixmap.width() / frame.ratio / 2
-    painter.drawPixmap(center - QPointF(half, half), pixmap)
+    draw_copies(painter, ink.pixmap(key, partial(_drawn, frame, ink, (words, radius, full))), *places)
 
 
 def _drawn(frame: Frame, ink: Ink, body: tuple[str, float, bool]) -> QPixmap:

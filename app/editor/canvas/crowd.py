@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from .arrays import FRAGMENT, draw_fragments, draw_lines, draw_polyline
+from .arrays import draw_copies, draw_fragments, draw_lines, draw_polyline
 from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
@@ -105,7 +105,7 @@ def _paint_trail(painter: QPainter, frame: Frame, agent: int, points: NDArray[np
 
 def _paint_all_trails(painter: QPainter, frame: Frame) -> None:
     everyone = np.arange(frame.scene.agents)
-    xs, ys = (v[-SHORT:] for v in frame.trails.of(everyone))
+    xs, ys = frame.trails.of(everyone, SHORT)
     if len(xs) < 2:
         return
     x, y = frame.camera.to_view(np.asarray(xs, np.float64), np.asarray(ys, np.float64))
@@ -164,19 +164,17 @@ def paint_rings(painter: QPainter, frame: Frame, ink: Ink) -> None:
 def _paint_tight_rings(painter: QPainter, frame: Frame, agents: NDArray[np.int64], color: QColor) -> None:
     """Rings around very many, close around each, from one picture of a ring: wide ones would cover the world."""
     radius = frame.agent_size * 0.5 + 2.0
-    side = 2 * ceil((radius + 1.0) * frame.ratio)
-    ring = QPixmap(side, side)
+    half = ceil((radius + 1.0) * frame.ratio)
+    ring = QPixmap(2 * half, 2 * half)
+    ring.setDevicePixelRatio(frame.ratio)
     ring.fill(Qt.GlobalColor.transparent)
     onto = QPainter(ring)
     onto.setRenderHint(QPainter.RenderHint.Antialiasing)
-    onto.setPen(QPen(color, 1.2 * frame.ratio))
-    onto.drawEllipse(QPointF(side / 2, side / 2), radius * frame.ratio, radius * frame.ratio)
+    onto.setPen(QPen(color, 1.2))
+    onto.drawEllipse(QPointF(half, half) / frame.ratio, radius, radius)
     onto.end()
     x, y = frame.places()
-    fragments = np.zeros((len(agents), FRAGMENT))
-    fragments[:, 0], fragments[:, 1] = x[agents], y[agents]
-    fragments[:, 4:6], fragments[:, 6:8], fragments[:, 9] = side, 1.0 / frame.ratio, 1.0
-    draw_fragments(painter, fragments, ring)
+    draw_copies(painter, ring, x[agents], y[agents])
 
 
 def _paint_hovered(painter: QPainter, frame: Frame, center: QPointF, radius: float) -> None:

@@ -145,14 +145,14 @@ def _paint_links(painter: QPainter, frame: Frame, links: NDArray[np.int64], colo
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QPen(QColor(frame.palette.canvas), 1.0))
     shown, first = np.unique(parents, return_index=True)
-    for parent, k in zip(shown.tolist(), first.tolist(), strict=True):
-        painter.setBrush(colors[parent])
-        _paint_mark(painter, QPointF(ends[k, 0], ends[k, 1]))
+    for name, places in _by_color(shown, colors).items():
+        painter.setBrush(QColor(name))
+        painter.drawRects([_mark(*ends[k, :2].tolist()) for k in first[places].tolist()])
 
 
-def _paint_mark(painter: QPainter, at: QPointF) -> None:
+def _mark(x: float, y: float) -> QRectF:
     """A controller is a square: nothing else is."""
-    painter.drawRect(QRectF(at.x() - MARK, at.y() - MARK, 2 * MARK, 2 * MARK))
+    return QRectF(x - MARK, y - MARK, 2 * MARK, 2 * MARK)
 
 
 def paint_band(painter: QPainter, frame: Frame) -> None:

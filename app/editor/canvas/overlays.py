@@ -70,10 +70,12 @@ class Badge(QLabel):
         mark = "●" if studio.mode is Mode.TEACHING else "▷"
         self.setText(f"{mark} {words}" if words else "")
         self.setAccessibleName(words or "Nobody is taught")
-        self.setStyleSheet(
+        style = (
             f"QLabel {{ background: {ground}; color: {text}; border-radius: 6px; padding: 4px 10px;"
             " font-weight: 600; }"
         )
+        if style != self.styleSheet():  # Qt would go through it again all the same
+            self.setStyleSheet(style)
         self.setVisible(bool(words))
         self.adjustSize()
 

@@ -78,6 +78,10 @@ class Surface(QWidget):
         """What is to be painted now; None if there is no world."""
         raise NotImplementedError
 
+    def touch(self) -> None:
+        """Something that is shown has changed."""
+        raise NotImplementedError
+
     def back_to_now(self) -> None:
         """Show the world as it is now."""
         raise NotImplementedError
@@ -157,7 +161,7 @@ class Surface(QWidget):
 
     def _hovers(self) -> None:
         self._set_cursor()
-        self.update()
+        self.touch()
 
     def _set_cursor(self) -> None:
         shape = Qt.CursorShape.ArrowCursor

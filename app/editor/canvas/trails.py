@@ -36,11 +36,9 @@ class Trails:
             (scene.tick, scene.x[:agents].astype(np.float32), scene.y[:agents].astype(np.float32))
         )
 
-    def of(self, agents: NDArray[np.int64]) -> tuple[Floats, Floats]:
-        """Where these agents have been: times x agents, the oldest first."""
-        if not self._seen:
+    def of(self, agents: NDArray[np.int64], newest: int = MOST) -> tuple[Floats, Floats]:
+        """Where these agents have been, the *newest* places of each: times x agents, the oldest first."""
+        seen = list(self._seen)[-newest:]
+        if not seen:
             return np.empty((0, len(agents)), np.float32), np.empty((0, len(agents)), np.float32)
-        return (
-            np.stack([x[agents] for _, x, _ in self._seen]),
-            np.stack([y[agents] for _, _, y in self._seen]),
-        )
+        return np.stack([x[agents] for _, x, _ in seen]), np.stack([y[agents] for _, _, y in seen])

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QHideEvent, QPainter, QPaintEvent, QResizeEven
 from ...core.errors import UnderstudyError
 from ...core.examples import Moment
 from ...engine.snapshots import Snapshot
+from ..soon import Later
 from .camera import Margins
 from .coloring import ATTACHED, Coloring, color_agents
 from .frame import Frame
@@ -21,6 +22,7 @@ from .ink import Ink
 from .legend import Legend
 from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
 from .painting import paint
+from .picture import Picture
 from .rows import camera_rows, color_rows, shown_rows
 from .scene import Scene, live, remembered
 from .surface import Surface
@@ -55,6 +57,8 @@ class WorldCanvas(Surface):
         self.scene: Scene | None = None
         self._moment_node = ""
         self._trails, self._ink = Trails(), Ink()
+        self._picture = Picture(self, self._paint)
+        self._soon = Later(self, self._paint_anew)  # never in one turn with what else there is to do
         self._coloring: tuple[Scene, object, Coloring] | None = None
         self._hidden_notice = ""
         self._make_overlays()
@@ -98,7 +102,7 @@ class WorldCanvas(Surface):
         studio.teaching.follow_requested.connect(self._turn_to)
         self.entity_chosen.connect(studio.teaching.choosing.entity_chosen)
         self.choosing_ended.connect(studio.teaching.choosing.cancel)
-        self.looking.changed.connect(self.update)
+        self.looking.changed.connect(self.touch)
         self.looking.told.connect(self._told)
         self.hand.changed.connect(self._hand_changed)
         self.hand.chosen.connect(self.entity_chosen)
@@ -162,7 +166,7 @@ class WorldCanvas(Surface):
         if not self._counting.isActive():
             self._counting.start()
         self.looking.see(scene, self._studio.selection.nodes)
-        self.update()
+        self.touch()
 
     def _place_changed(self, _place: object) -> None:
         snapshot = self._studio.snapshot
@@ -194,13 +198,13 @@ class WorldCanvas(Surface):
         self._refresh_badge()
         if self.scene is not None and self.is_live:
             self.looking.see(self.scene, self._studio.selection.nodes)
-        self.update()
+        self.touch()
 
     def _recolor(self) -> None:
         self._coloring = None
         self.legend.begin()
         self._count()
-        self.update()
+        self.touch()
 
     def _turn_to(self, node: str) -> None:
         """It is the turn of another node: it has to be in view, which it is as long as all of the world is."""
@@ -247,7 +251,7 @@ class WorldCanvas(Surface):
         self.heed_escape()
         self._place_overlays()
         self.hover()
-        self.update()
+        self.touch()
 
     def _moment_wanted(self, moment: Moment | None, node: str, caption: str) -> None:
         if moment is None:
@@ -285,16 +289,32 @@ class WorldCanvas(Surface):
 
     # --------------------------------------------------------------------------------------------- painting
 
+    def touch(self) -> None:
+        """Something that is shown has changed."""
+        if self.isVisible():
+            self._soon.ask()
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether something that has changed is not shown yet."""
+        return self._soon.is_due
+
+    def _paint_anew(self) -> None:
+        self._picture.paint_anew()
+        self.update()
+
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Show what was painted last."""
+        self._picture.show()
+
+    def _paint(self, painter: QPainter) -> None:
         """Paint the newest frame."""
-        painter = QPainter(self)
         frame = self.frame()
         if frame is None:
             self._paint_empty(painter)
         else:
             colors = controller_colors(frame, self.looking.color_by, self._studio.colors)
             paint(painter, frame, self._ink, colors)
-        painter.end()
 
     def _paint_empty(self, painter: QPainter) -> None:
         colors = self._studio.theme.palette
@@ -314,7 +334,7 @@ class WorldCanvas(Surface):
             self.legend.begin()
         self._count()
         self._studio.actions.refresh()
-        self.update()
+        self.touch()
 
     def _dress(self) -> None:
         for part in (self.legend, self.failure, self.moment, self.prompt, self.notice, self.card):
@@ -322,7 +342,7 @@ class WorldCanvas(Surface):
         self._refresh_badge()
         self._count()
         self.hover()
-        self.update()
+        self.touch()
 
     # --------------------------------------------------------------------------------------------- overlays
 
@@ -379,6 +399,8 @@ class WorldCanvas(Surface):
     def hideEvent(self, event: QHideEvent) -> None:
         """Nothing is held or looked at any more."""
         super().hideEvent(event)
+        self._soon.forget()
+        self._picture.forget()
         self.hand.let_go()
         self.hovering.nothing()
 
@@ -389,7 +411,7 @@ class WorldCanvas(Surface):
         self._place_overlays()
         self.heed_escape()
         self._set_cursor()
-        self.update()
+        self.touch()
 
     def sizeHint(self) -> QSize:
         """As in the middle of the window."""

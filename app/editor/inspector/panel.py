@@ -5,13 +5,14 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer, QUrl, Signal
+from PySide6.QtCore import Qt, QUrl, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QTextBrowser, QWidget
 
 from ...engine.snapshots import Mode
 from ..actions import ActionRow
 from ..selection import BehaviorKey
+from ..soon import Later
 from .telling import LevelTold, Told, tell, tell_why_not
 
 if TYPE_CHECKING:
@@ -53,8 +54,7 @@ class InspectorPanel(QWidget):
         self._pages.addWidget(self._empty)
         self._pages.addWidget(self.text)
         self.setFocusProxy(self.text)
-        self._timer = QTimer(self, interval=READING, singleShot=True)
-        self._timer.timeout.connect(self.refresh)
+        self._live = Later(self, self.refresh, READING)
         studio.bridge.snapshot_changed.connect(self._later)
         studio.document.project_changed.connect(self._later)
         studio.bridge.mode_changed.connect(self._later)
@@ -67,12 +67,12 @@ class InspectorPanel(QWidget):
     # ---------------------------------------------------------------------------------------------- telling
 
     def _later(self) -> None:
-        if self.isVisible() and not self._timer.isActive():
-            self._timer.start()
+        if self.isVisible():
+            self._live.ask()
 
     def _other(self) -> None:
         self._why_not = ""
-        self._timer.start(0)
+        self._live.hurry()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Say what has happened while nobody looked."""
@@ -81,7 +81,6 @@ class InspectorPanel(QWidget):
 
     def refresh(self) -> None:
         """Say what is the case now."""
-        self._timer.setInterval(READING)
         studio, snapshot = self._studio, self._studio.snapshot
         node = studio.selection.node
         self._told = None

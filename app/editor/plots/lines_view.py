@@ -72,7 +72,8 @@ class LinesView(QWidget):
 
     def begin(self, key: LineKey, name: str, color: QColor, style: Qt.PenStyle) -> None:
         """Draw one more line, empty at first."""
-        self.curves[key] = self._plot.plot(pen=pg.mkPen(color, width=2, style=style))
+        self.curves[key] = pg.PlotCurveItem(pen=pg.mkPen(color, width=2, style=style))
+        self._plot.addItem(self.curves[key])
         stroke = f'<span style="color: {color.name()}">{_STROKES[style]}</span>'
         self._entries[key] = f"{stroke}&nbsp;{escape(name).replace(' ', '&nbsp;')}"
         self._show_legend()

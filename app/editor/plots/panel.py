@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -21,7 +21,7 @@ from ...core.wording import node_words, state_words
 from ..actions import ActionRow
 from ..diagram.label_colors import state_colors
 from ..palette import BASIC
-from ..soon import Soon
+from ..soon import Later, Soon
 from .record import Point, Record
 from .series import BehaviorShares, LineKey, Lines, MeasureOf, StateShares, Subject, rows_below
 
@@ -50,8 +50,7 @@ class PlotsPanel(QWidget):
         self.what = self._box("What is plotted", 20)
         self.whom = self._box("Of whom: the world, or what is below the selected controller", 14)
         self._lay_out()
-        self._timer = QTimer(self, interval=REDRAW, singleShot=True)
-        self._timer.timeout.connect(self.redraw)
+        self._live = Later(self, self.redraw, REDRAW)
         studio.bridge.snapshot_changed.connect(self._take)
         studio.bridge.place_changed.connect(self._another_world)
         studio.opened.connect(self._another_world)
@@ -101,13 +100,13 @@ class PlotsPanel(QWidget):
 
     def _take(self, snapshot: Snapshot) -> None:
         point = Point(snapshot.tick, snapshot.measures, snapshot.doing)
-        if self._record.add(point) and self.isVisible() and not self._timer.isActive():
-            self._timer.start()
+        if self._record.add(point) and self.isVisible():
+            self._live.ask()
 
     def _another_world(self) -> None:
         self._record.clear()
         self._offer()
-        self._timer.start()
+        self._live.ask()
 
     def clear(self) -> None:
         """Forget what was seen so far."""
@@ -167,7 +166,7 @@ class PlotsPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Draw what came while nobody looked."""
         super().showEvent(event)
-        self._timer.start()
+        self._live.ask()
 
     def redraw(self) -> None:
         """Draw the lines as they are now."""
@@ -175,8 +174,12 @@ class PlotsPanel(QWidget):
         self._pages.setCurrentIndex(1 if len(points) > 1 else 0)
         if not self.isVisible() or len(points) < 2:
             return
+        if self.view is None:
+            self.view = self._made_view()
+            self._live.hurry()  # that took long enough for one turn
+            return
         self._lines.follow(points, self._record.version)
-        keys, view = self._largest(), self._viewed()
+        keys, view = self._largest(), self.view
         view.keep(keys)
         for key in keys:
             if key not in view.curves:
@@ -185,15 +188,14 @@ class PlotsPanel(QWidget):
         share = not isinstance(self._lines.subject, MeasureOf)
         view.scale("share" if share else self.what.currentText().lower(), share=share)
 
-    def _viewed(self) -> LinesView:
+    def _made_view(self) -> LinesView:
         """The plot, made when it is needed first."""
-        if self.view is None:
-            from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
+        from .lines_view import LinesView  # noqa: PLC0415 - pyqtgraph would keep the window from opening at once
 
-            self.view = LinesView(self._studio.theme)
-            self._room.addWidget(self.view.legend)  # in its own row: beside the boxes it would be cut off
-            self._room.addWidget(self.view, 1)
-        return self.view
+        view = LinesView(self._studio.theme)
+        self._room.addWidget(view.legend)  # in its own row: beside the boxes it would be cut off
+        self._room.addWidget(view, 1)
+        return view
 
     def _largest(self) -> list[LineKey]:
         keys = list(self._lines.keys)

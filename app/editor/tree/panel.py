@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -28,7 +28,7 @@ from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
 from ..diagram.label_colors import state_colors
 from ..number_box import roomy
-from ..soon import Soon
+from ..soon import Later, Soon
 from .menus import node_menu
 from .previewing import Previewing
 from .pruning import Pruning
@@ -85,8 +85,7 @@ class TreePanel(QWidget):
         self.previewing = Previewing(studio, self.tools.confidence, self.pruning)
         self.menu: QMenu | None = None
         self._soon = Soon(self, self.refresh)
-        self._live = QTimer(self, interval=LIVE, singleShot=True)
-        self._live.timeout.connect(self._follow)
+        self._live = Later(self, self._follow, LIVE)
         studio.actions.add(tree_rows(self))
         self._build()
         self._connect()
@@ -275,8 +274,8 @@ class TreePanel(QWidget):
     # -------------------------------------------------------------------------------------------------- live
 
     def _live_soon(self, _snapshot: object = None) -> None:
-        if self.isVisible() and not self._live.isActive():
-            self._live.start()
+        if self.isVisible():
+            self._live.ask()
 
     def _level_now(self) -> WatchedLevel | None:
         """The selected node's run of the automaton that is shown, if it is in the state that is shown."""
@@ -340,7 +339,7 @@ class TreePanel(QWidget):
         """Nobody looks: nothing is learned to be looked at."""
         super().hideEvent(event)
         self._soon.forget()
-        self._live.stop()
+        self._live.forget()
         self.previewing.close()
         self.studio.touch()
 

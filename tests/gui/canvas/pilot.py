@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QImage, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -72,6 +72,11 @@ class Pilot:
     def is_lit(self) -> bool:
         """Whether the legend lights some up."""
         return self.frame.lit is not None
+
+    def picture(self) -> QImage:
+        """What is to be seen once all that has changed is shown."""
+        self.wait(lambda: not self.canvas.is_pending)
+        return self.canvas.grab().toImage()
 
     def at(self, entity: int) -> QPoint:
         """The pixel of an entity."""

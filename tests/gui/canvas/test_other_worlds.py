@@ -86,6 +86,7 @@ def test_a_project_of_another_scenario_is_shown_and_runs(empty_studio: Studio, q
     qtbot.waitUntil(lambda: canvas.scene is not None and canvas.scene.tick == 5, timeout=PATIENCE)
     empty_studio.close_project()
     assert canvas.frame() is None
+    qtbot.waitUntil(lambda: not canvas.is_pending)
     assert not canvas.grab().isNull()
 
 
@@ -97,6 +98,7 @@ def test_a_rigid_world_is_shown(studio: Studio, qtbot: QtBot) -> None:
     qtbot.waitUntil(
         lambda: canvas.scene is not None and canvas.scene.place.physics == "rigid", timeout=PATIENCE
     )
+    qtbot.waitUntil(lambda: not canvas.is_pending)
     assert not canvas.grab().isNull()
 
 

@@ -140,9 +140,9 @@ def test_every_one_of_very_many_selected_is_marked_close_around_it(pilot: Pilot)
     pilot.studio.document.do(set_hierarchy, "independent", LevelTable((300,), ("agent",)))
     pilot.studio.use_arm("independent")
     pilot.wait(lambda: pilot.frame.scene.agents == 300)
-    plain = pilot.canvas.grab().toImage()
+    plain = pilot.picture()
     pilot.key(Qt.Key.Key_A, CONTROL)
-    marked = pilot.canvas.grab().toImage()
+    marked = pilot.picture()
     x, y = pilot.frame.places()
     for agent in range(300):
         around = [

@@ -61,7 +61,7 @@ def test_every_way_to_color_can_be_painted_in_both_themes(pilot: Pilot) -> None:
         pilot.studio.settings.theme = mode
         for by in ColorBy:
             pilot.choose(f"canvas.color_{by}")
-            picture = pilot.canvas.grab().toImage()
+            picture = pilot.picture()
             ground = pilot.studio.theme.color("canvas")
             assert picture.pixelColor(2, picture.height() // 2) in (ground, pilot.studio.theme.color("grid"))
 

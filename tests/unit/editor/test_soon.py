@@ -3,8 +3,9 @@
 import pytest
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
-from app.editor.soon import Soon, catch_up
+from app.editor.soon import Later, Soon, catch_up
 
 
 @pytest.fixture
@@ -86,3 +87,62 @@ def test_nothing_is_done_for_who_is_gone(qapp: QApplication, done: list[str]) ->
     del owner, soon
     catch_up()
     assert done == []
+
+
+# --------------------------------------------------------------------------------------------- what can wait
+
+
+def test_what_can_wait_is_done_once_after_its_time(qapp: QApplication, done: list[str], qtbot: QtBot) -> None:
+    later = Later(qapp, lambda: done.append("it"), 1)
+    for _ in range(3):
+        later.ask()
+    assert later.is_due
+    qtbot.waitUntil(lambda: not later.is_due)
+    assert done == ["it"]
+
+
+def test_no_key_waits_for_what_can_wait(qapp: QApplication, done: list[str]) -> None:
+    later = Later(qapp, lambda: done.append("it"))
+    later.ask()
+    catch_up()
+    assert (later.is_due, done) == (True, [])
+    QCoreApplication.processEvents()
+    assert done == ["it"]
+
+
+def test_what_is_due_before_the_next_key_is_done_first(
+    soon: Soon, qapp: QApplication, done: list[str]
+) -> None:
+    Later(qapp, lambda: done.append("later")).ask()
+    soon.ask()
+    QCoreApplication.processEvents()
+    assert done == ["it", "later"]
+
+
+def test_what_can_wait_can_be_hurried_and_given_up(qapp: QApplication, done: list[str]) -> None:
+    later = Later(qapp, lambda: done.append("it"), 3_600_000)
+    later.ask()
+    later.hurry()
+    QCoreApplication.processEvents()
+    assert (later.is_due, done) == (False, ["it"])
+    later.ask()
+    later.forget()
+    QCoreApplication.processEvents()
+    assert (later.is_due, done) == (False, ["it"])
+
+
+def test_between_two_that_can_wait_whatever_has_come_is_dealt_with(
+    qapp: QApplication, done: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Sender(QObject):
+        sent = Signal()
+
+    monkeypatch.setattr("app.editor.soon.SPELL", 0.0)
+    sender = Sender()
+    sender.sent.connect(lambda: done.append("other"), Qt.ConnectionType.QueuedConnection)
+    first, second = Later(qapp, sender.sent.emit), Later(qapp, lambda: done.append("it"))
+    first.ask()
+    second.ask()
+    while second.is_due:
+        QCoreApplication.processEvents()
+    assert done == ["other", "it"]

@@ -1,0 +1,84 @@
+"""The world is painted apart from the window: when it has changed, and not when something else has."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from app.editor.canvas.picture import Picture
+from app.engine.commands import Step
+
+from .pilot import Pilot
+
+
+class Shown(QWidget):
+    """Shows a picture of one color."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.painted: list[str] = []
+        self.color = "#102030"
+        self.picture = Picture(self, self._paint)
+
+    def _paint(self, painter: QPainter) -> None:
+        self.painted.append(self.color)
+        painter.fillRect(self.rect(), QColor(self.color))
+
+    def paintEvent(self, _event: object) -> None:  # noqa: N802 - Qt's name
+        self.picture.show()
+
+
+@pytest.fixture
+def shown(qtbot: QtBot) -> Shown:
+    widget = Shown()
+    qtbot.addWidget(widget)
+    widget.resize(60, 40)
+    return widget
+
+
+def color_at(widget: Shown, x: int, y: int) -> str:
+    return widget.grab().toImage().pixelColor(x, y).name()
+
+
+def test_what_was_painted_is_shown_until_it_is_painted_anew(shown: Shown) -> None:
+    assert color_at(shown, 59, 39) == "#102030"
+    shown.color = "#a0b0c0"
+    assert color_at(shown, 0, 0) == "#102030"
+    shown.picture.paint_anew()
+    assert color_at(shown, 0, 0) == "#a0b0c0"
+    assert shown.painted == ["#102030", "#a0b0c0"]
+
+
+def test_another_size_is_painted_at_once(shown: Shown) -> None:
+    shown.grab()
+    shown.color = "#a0b0c0"
+    shown.resize(90, 70)
+    assert color_at(shown, 89, 69) == "#a0b0c0"
+
+
+def test_what_was_forgotten_is_painted_anew(shown: Shown) -> None:
+    shown.grab()
+    shown.color = "#a0b0c0"
+    shown.picture.forget()
+    assert color_at(shown, 0, 0) == "#a0b0c0"
+
+
+def test_a_step_of_the_world_is_seen(pilot: Pilot) -> None:
+    before = pilot.picture()
+    pilot.send(Step(60))
+    assert pilot.picture() != before
+
+
+def test_what_lies_on_the_world_does_not_have_it_painted_anew(
+    pilot: Pilot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pilot.picture()
+    painted: list[object] = []
+    monkeypatch.setattr("app.editor.canvas.view.paint", lambda *given: painted.append(given))
+    pilot.canvas.legend.update()
+    pilot.canvas.badge.update()
+    pilot.canvas.update()
+    pilot.window.repaint()
+    assert painted == []
