@@ -217,10 +217,11 @@ class ImportDialog(QDialog):
             last = chosen.added[-1]
             self._studio.selection.select_behavior(BehaviorKey(last.type, last.id))
         here = len(chosen.behaviors) - len(chosen.added)
+        arm = f" and the arm {chosen.arm!r}" if chosen.arm and not chosen.arm_is_here else ""
         more = (
             f"; {counted(here, 'behavior')} of the file {'was' if here == 1 else 'were'} here" if here else ""
         )
-        self._studio.say(f"imported {counted(len(chosen.added), 'behavior')}{more}")
+        self._studio.say(f"imported {counted(len(chosen.added), 'new behavior')}{arm}{more}")
         self.accept()
 
 
@@ -285,7 +286,7 @@ def import_rows(parent: QWidget) -> tuple[ActionRow, ...]:
             "Import behaviors…",
             "File",
             lambda studio: ask_import(studio, parent),
-            "export",
+            "save",
             "Ctrl+Alt+I",
             "Bring behaviors that were exported into this project, and their arm if you like",
             "import",

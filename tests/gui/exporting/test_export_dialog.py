@@ -60,6 +60,20 @@ def test_a_behavior_is_chosen_by_keys(
     assert json.loads((tmp_path / "w.json").read_text())["arms"][0]["top"] == "Wander"
 
 
+def test_examples_come_along_where_that_is_ticked(
+    window: MainWindow, dialog: ExportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    write_to(dialog, tmp_path / "out.json", qtbot)
+    qtbot.keyClick(dialog.examples, Qt.Key.Key_Space)
+    with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE):
+        press_ok(dialog, qtbot)
+    examples = read(tmp_path / "out.json").project.examples["agent"]
+    there = window.studio.document.project.examples["agent"]
+    assert {key: len(taught) for key, taught in examples.items()} == {
+        key: len(there[key]) for key in examples
+    }
+
+
 @pytest.mark.parametrize(
     ("name", "message"), [("out.txt", "end with .json"), ("nowhere/out.json", "there is no folder")]
 )
