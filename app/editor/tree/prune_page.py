@@ -45,7 +45,9 @@ class PrunePage(QWidget):
         self.listed.setWordWrap(True)
         self.listed.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.listed.setAccessibleName("Prunes and moved cuts")
-        self.listed.setToolTip("All prunes and moved cuts of the behavior; Delete takes one back")
+        self.listed.setToolTip(
+            "All prunes and moved cuts of the behavior; Enter or a double click shows its state, Delete takes it back"
+        )
         self.back = QPushButton("Take back")
         self.back.setToolTip("Take back the prune or cut that is selected")
         self.back.clicked.connect(self.take_back)
@@ -77,6 +79,7 @@ class PrunePage(QWidget):
         column.addWidget(self.listed, 1)
         column.addLayout(below)
         self.listed.currentRowChanged.connect(lambda row: self.back.setEnabled(row >= 0))
+        self.listed.itemActivated.connect(lambda _: self._show_state())
 
     @property
     def count(self) -> int:
@@ -99,6 +102,7 @@ class PrunePage(QWidget):
         self.listed.setVisible(bool(self.listed.count()))
         self.listed.setCurrentRow(min(max(row, 0), self.listed.count() - 1))
         self.back.setEnabled(self.listed.count() > 0)
+        self.setFocusProxy(self.listed if self.listed.count() else self.support)
         self.weak.setEnabled(subject is not None and bool(subject.automaton.learned))
 
     def _add(self, words: str, what: tuple[str, str]) -> None:
@@ -106,6 +110,14 @@ class PrunePage(QWidget):
         item.setToolTip(words)
         item.setData(Qt.ItemDataRole.UserRole, what)
         self.listed.addItem(item)
+
+    def _show_state(self) -> None:
+        """Show the tree that the selected prune or cut is about."""
+        if self.listed.currentRow() >= 0 and self._subject is not None:
+            kind, number = self.listed.currentItem().data(Qt.ItemDataRole.UserRole)
+            automaton = self._subject.automaton
+            found = automaton.prunes if kind == "prune" else automaton.cuts
+            self._studio.selection.select_state(next(what.source for what in found if what.id == number))
 
     def take_back(self) -> None:
         """Take back what is selected."""

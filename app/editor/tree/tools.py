@@ -55,7 +55,7 @@ class Tools(QWidget):
         for name, text, tip, page in (
             ("cut", "Histogram", "The examples at the selected node, and the cut of its test", self.cut),
             ("prunes", "Prunes", "All prunes and moved cuts, and taking them back", self.prunes),
-            ("confidence", "Pruning", "How strongly trees are pruned after learning", self.confidence),
+            ("confidence", "Confidence", "How strongly trees are pruned after learning", self.confidence),
         ):
             button = QToolButton()
             button.setText(text)
@@ -88,12 +88,16 @@ class Tools(QWidget):
         self.open("" if self.page == name else name)
 
     def open(self, name: str) -> None:
-        """Open a page; none for an empty name."""
+        """Open a page, which gets the keys; none for an empty name."""
+        had_keys, above = self._stack.isAncestorOf(self.window().focusWidget()), self.parentWidget()
         self._stack.setVisible(bool(name))
         if name:
             self._stack.setCurrentIndex(list(self.buttons).index(name))
         for other, button in self.buttons.items():
             button.setChecked(other == name)
+        page = self._stack.currentWidget() if name else above if had_keys else None
+        if page is not None:
+            page.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.opened.emit()
 
     def count_prunes(self) -> None:

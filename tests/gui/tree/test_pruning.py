@@ -110,6 +110,18 @@ def test_delete_takes_back_in_the_list(panel: TreePanel, studio: Studio, qtbot: 
     assert automaton(studio, FORAGE).prunes == ()
 
 
+def test_enter_in_the_list_shows_the_state_that_a_prune_is_about(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    click(panel, qtbot, 3)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        qtbot.keyClick(panel.view, Qt.Key.Key_Delete)
+    studio.selection.select_state("return-with-box")
+    panel.tools.open("prunes")
+    qtbot.keyClick(panel.tools.prunes.listed, Qt.Key.Key_Return)
+    assert studio.selection.state == "wander"
+
+
 def test_weak_transitions_are_pruned_together_as_one_step(
     panel: TreePanel, studio: Studio, qtbot: QtBot
 ) -> None:
@@ -211,5 +223,7 @@ def test_pages_below_the_tree_open_by_their_actions_and_close_by_escape(
     qtbot.waitUntil(action.isEnabled, timeout=PATIENCE)
     action.trigger()
     assert panel.tools.page == page
-    qtbot.keyClick(panel.tools, Qt.Key.Key_Escape)
+    assert panel.tools.isAncestorOf(panel.focusWidget())
+    qtbot.keyClick(panel.focusWidget(), Qt.Key.Key_Escape)
     assert panel.tools.page == ""
+    assert panel.focusWidget() is panel.view
