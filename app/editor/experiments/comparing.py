@@ -3,34 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from ...core.errors import UnderstudyError
 from ...engine.experiments.report import measures_in, place, with_interval
-from .study import Kept, Study
+from .study import Kept, other_lengths
 from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings
     from .window import ExperimentsWindow
 
+FIRST = "Tick experiments to see their arms side by side."
+#: Pixels of the list at most.
+WIDTH = 200
+#: Data of an entry: the experiment's name, and the ticks of runs of another length than its own; 0 for its own.
+KEY = Qt.ItemDataRole.UserRole
+
 
 class ComparePage(QWidget):
-    """Experiments that can be ticked, and the arms of all that are."""
+    """Experiments that can be ticked, runs of other lengths by themselves, and the arms of all that are."""
 
     def __init__(self, window: ExperimentsWindow) -> None:
         super().__init__()
         self._window = window
+        self._names: tuple[str, ...] = ()
         self._found: dict[str, Findings] = {}
         self.list = QListWidget()
         self.list.setAccessibleName("experiments to compare")
-        self.list.setMaximumWidth(150)
+        self.list.setMaximumWidth(WIDTH)
         self.list.itemChanged.connect(self._ticked)
         self.model = TextTable()
-        self.told = QLabel("Tick experiments to see their arms side by side.")
+        self.told = QLabel(FIRST)
         self.told.setProperty("role", "caption")
         right = QVBoxLayout()
         right.addWidget(self.told)
@@ -43,31 +52,54 @@ class ComparePage(QWidget):
     def offer(self, names: Sequence[str]) -> None:
         """Offer these experiments; nothing is ticked."""
         self._found = {}
-        self.list.blockSignals(True)
-        self.list.clear()
-        for name in names:
-            item = QListWidgetItem(name)
-            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-            item.setCheckState(Qt.CheckState.Unchecked)
-            self.list.addItem(item)
-        self.list.blockSignals(False)
+        self._names = tuple(names)
+        self._list(self._entries(), set())
         self._show()
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Whoever looks again may have run something meanwhile."""
+        super().showEvent(event)
+        there = {
+            tuple(item.data(KEY)): item.checkState() for item in map(self.list.item, range(self.list.count()))
+        }
+        entries = self._entries()
+        if list(there) != entries:
+            self._list(entries, {key for key, state in there.items() if state is Qt.CheckState.Checked})
+
+    def _entries(self) -> list[tuple[str, int]]:
+        results = self._window.results
+        lengths = {name: other_lengths(name, results) if results is not None else [] for name in self._names}
+        return [(name, ticks) for name in self._names for ticks in (0, *lengths[name])]
+
+    def _list(self, entries: Sequence[tuple[str, int]], ticked: AbstractSet[tuple[str, int]]) -> None:
+        self.list.blockSignals(True)
+        self.list.clear()
+        for name, ticks in entries:
+            item = QListWidgetItem(f"{name}, {ticks:,} ticks" if ticks else name)
+            item.setToolTip(item.text())
+            item.setData(KEY, (name, ticks))
+            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+            on = (name, ticks) in ticked
+            item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
+            self.list.addItem(item)
+        self.list.blockSignals(False)
+
     def _ticked(self, item: QListWidgetItem) -> None:
-        name = item.text()
+        words, (name, ticks) = item.text(), item.data(KEY)
         if item.checkState() is not Qt.CheckState.Checked:
-            self._found.pop(name, None)
+            self._found.pop(words, None)
             self._show()
             return
         study = self._window.load(name)
         if study is not None:
-            self._window.look_up(study, lambda kept: self._take(study, kept), self._failed)
+            asked = study.asked_for(study.declared.runs, ticks) if ticks else study
+            self._window.look_up(asked, lambda kept: self._take(words, kept), self._failed)
 
-    def _take(self, study: Study, kept: Kept | None) -> None:
+    def _take(self, words: str, kept: Kept | None) -> None:
         if kept is None or kept.found is None:
-            self.told.setText(f"{study.declared.name} has not been run yet.")
+            self.told.setText(f"{words} has not been run yet.")
             return
-        self._found[study.declared.name] = kept.found
+        self._found[words] = kept.found
         self._show()
 
     def _failed(self, error: UnderstudyError) -> None:
@@ -90,5 +122,4 @@ class ComparePage(QWidget):
         ]
         head = ["experiment", "arm", "where", "ticks", "runs", *measures, "stalled"] if rows else []
         self.model.show(head, rows, 3)
-        if rows:
-            self.told.setText("Means with half the width of their 95% confidence intervals.")
+        self.told.setText("Means with half the width of their 95% confidence intervals." if rows else FIRST)

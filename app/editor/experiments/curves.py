@@ -8,9 +8,11 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
+from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
+from ..forms.parts import caption
 from ..plotting import dress, quiet_plot
+from .reach import reach
 
 if TYPE_CHECKING:
     from ...engine.experiments.findings import Findings, Summary
@@ -21,6 +23,7 @@ BAND_ALPHA = 46
 DASHES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 #: More cells than this cannot be told apart in one plot; the first are drawn.
 MOST = 12
+CUT = "Bands of few runs go on beyond what is shown; they shrink with every run."
 
 
 class CurvesView(QWidget):
@@ -28,6 +31,7 @@ class CurvesView(QWidget):
 
     Attributes:
         names: Of the lines that are drawn.
+        cut: Says so where bands are higher than what is shown.
     """
 
     def __init__(self, theme: Theme) -> None:
@@ -36,14 +40,23 @@ class CurvesView(QWidget):
         self.plot = quiet_plot("curves")
         self._legend = self.plot.addLegend(offset=(10, 8), labelTextSize="9pt")
         self._items: list[tuple[Any, Any]] = []  # line and band
+        self._reach = pg.PlotCurveItem(pen=None)  # all that is to be seen, which nothing else says
         self.names: list[str] = []
         empty = QLabel(EMPTY)
         empty.setProperty("role", "empty")
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         empty.setWordWrap(True)
+        self.cut = caption(CUT)
+        self.cut.hide()
+        full = QWidget()
+        column = QVBoxLayout(full)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.plot, 1)
+        column.addWidget(self.cut)
         self._pages = QStackedLayout(self)
         self._pages.addWidget(empty)
-        self._pages.addWidget(self.plot)
+        self._pages.addWidget(full)
         theme.changed.connect(self._dress)
         self._dress()
 
@@ -60,6 +73,10 @@ class CurvesView(QWidget):
         row = found.curves.index(measure)
         for summary, items in zip(drawn, self._items, strict=True):
             _draw(summary, row, found.experiment.ticks, items)
+        if drawn:
+            shown, beyond = reach([s.curve[row] for s in drawn], [s.band[row] for s in drawn])
+            self._reach.setData([0.0, float(found.experiment.ticks)], list(shown))
+            self.cut.setVisible(beyond)
         if self.plot.getAxis("left").labelText != measure:
             self.plot.getAxis("left").setLabel(measure)
 
@@ -67,6 +84,7 @@ class CurvesView(QWidget):
         self.plot.clear()
         self._legend.clear()
         self.names = names
+        self.plot.addItem(self._reach)
         self._items = [self._line(number, name) for number, name in enumerate(names)]
 
     def _line(self, number: int, name: str) -> tuple[Any, Any]:
@@ -77,8 +95,8 @@ class CurvesView(QWidget):
         style = DASHES[(number // len(lines)) % len(DASHES)]
         band = pg.PlotCurveItem(pen=None, brush=pg.mkBrush(shade), fillLevel="enclosed")
         line = pg.PlotCurveItem(pen=pg.mkPen(color, width=2, style=style), name=name)
-        self.plot.addItem(band)
-        self.plot.addItem(line, ignoreBounds=True)  # it is within its band
+        self.plot.addItem(band, ignoreBounds=True)
+        self.plot.addItem(line, ignoreBounds=True)
         return line, band
 
     def _dress(self) -> None:

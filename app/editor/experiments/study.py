@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -77,6 +78,14 @@ def study_of(project: Project, scenario: Scenario, folder: Path, name: str, resu
     """
     declared = load_experiment(folder, name, project, scenario)
     return Study(project, scenario, declared, declared, results)
+
+
+def other_lengths(name: str, results: Path) -> list[int]:
+    """The ticks of runs that are not as long as the experiment *name* says, and of which there are results."""
+    found = (
+        re.fullmatch(f"{re.escape(name)}-([0-9]+)-ticks", path.stem) for path in results.glob("*.sqlite")
+    )
+    return sorted(int(match[1]) for match in found if match)
 
 
 def results_folder(project_folder: Path, own: Path) -> Path:

@@ -85,13 +85,17 @@ class _Table(QTableView):
         _narrow(self)
 
 
-def table_view(model: QAbstractTableModel, name: str) -> QTableView:
-    """A quiet table in which rows can be selected."""
+def table_view(model: QAbstractTableModel, name: str, *, wrapped: bool = False) -> QTableView:
+    """A quiet table in which rows can be selected.
+
+    Args:
+        wrapped: Words that do not fit into their column go on below, rather than ending in dots; for few rows.
+    """
     view = _Table()
     view.setModel(model)
     view.setAccessibleName(name)
     view.setShowGrid(False)
-    view.setWordWrap(False)
+    view.setWordWrap(wrapped)
     view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     view.verticalHeader().hide()
@@ -128,3 +132,5 @@ def _narrow(view: QTableView) -> None:
     if over > 0 and widths and view.isVisible():  # one that was never shown has no size yet
         widest = widths.index(max(widths))
         view.setColumnWidth(widest, max(NARROWEST, widths[widest] - over))
+    if view.wordWrap():
+        view.resizeRowsToContents()

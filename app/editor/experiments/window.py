@@ -101,6 +101,11 @@ class ExperimentsWindow(QWidget):
         """The project's folder."""
         return self.studio.document.folder
 
+    @property
+    def results(self) -> Path | None:
+        """Where its experiments' results are."""
+        return None if self.folder is None else results_folder(self.folder, self.studio.settings.state)
+
     def _opened(self) -> None:
         self.running.close()
         self.study = self.kept = None
@@ -122,10 +127,10 @@ class ExperimentsWindow(QWidget):
 
     def load(self, name: str) -> Study | None:
         """The experiment *name* of the open project; None, and a message, if it cannot be read."""
-        if self.folder is None:
+        results = self.results
+        if self.folder is None or results is None:
             return None
         document = self.studio.document
-        results = results_folder(self.folder, self.studio.settings.state)
         try:
             return study_of(document.project, document.scenario, self.folder, name, results)
         except UnderstudyError as error:

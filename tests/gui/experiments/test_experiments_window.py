@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QPushButton
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QPushButton, QTableView
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import set_world
@@ -20,6 +20,7 @@ from app.editor.window.main_window import MainWindow
 from app.engine.experiments.laboratory import Stage
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import FORAGING, PATIENCE
+from tests.patient_bot import have_done_what_is_due
 
 
 @pytest.fixture
@@ -287,6 +288,40 @@ def test_results_of_several_experiments_stand_side_by_side(
     qtbot.waitUntil(lambda: compare.model.rowCount() == 4, timeout=PATIENCE)
     compare.list.item(1).setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: "figure4 has not been run yet" in compare.told.text(), timeout=PATIENCE)
+
+
+def test_runs_of_another_length_stand_side_by_side_with_the_others(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    compare = window.pages.compare
+    window.pages.setCurrentWidget(compare)
+    ticks = window.controls.ticks.value()
+    found = compare.list.findItems(f"{window.listing.current}, {ticks:,} ticks", Qt.MatchFlag.MatchExactly)
+    assert len(found) == 1
+    found[0].setCheckState(Qt.CheckState.Checked)
+    qtbot.waitUntil(lambda: compare.model.rowCount() == 4, timeout=PATIENCE)
+
+
+def test_the_words_of_a_claim_are_seen_in_full(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    small(window, runs=1)
+    window.begin()
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    claims = next(view for view in window.findChildren(QTableView) if view.accessibleName() == "claims")
+    window.pages.setCurrentWidget(claims)
+    have_done_what_is_due()
+    for row in range(claims.model().rowCount()):
+        index = claims.model().index(row, 0)
+        room = claims.visualRect(index).adjusted(4, 0, -4, 0)
+        flags = Qt.TextFlag.TextWordWrap
+        needed = claims.fontMetrics().boundingRect(QRect(0, 0, room.width(), 1000), flags, index.data())
+        assert needed.height() <= room.height()
 
 
 def test_results_of_the_project_as_it_was_can_be_put_aside(
