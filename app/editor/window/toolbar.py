@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 MOST_SEED = 2**63 - 1
-#: Seeds that runs are given have up to so many digits; longer ones are scrolled in.
-SEED_DIGITS = 10
+#: The field of the seed has room for at least and at most so many digits; longer seeds are scrolled in.
+SEED_DIGITS = (5, 10)
 
 
 class ModeSwitch(QWidget):
@@ -150,10 +150,17 @@ class Toolbar(QToolBar):
     def _add_seed(self) -> None:
         self._caption("Seed")
         self.seed = QLineEdit("1")
-        self.seed.setFixedWidth(self.seed.fontMetrics().horizontalAdvance("0" * SEED_DIGITS) + 26)
+        self.seed.textChanged.connect(self._fit_seed)
+        self._fit_seed("")
         self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
         self.seed.returnPressed.connect(self._reset)
         self.addWidget(self.seed)
+
+    def _fit_seed(self, text: str) -> None:
+        """Give the field the room that the seed needs: that of a low window is short."""
+        least, most = SEED_DIGITS
+        digits = max(least, min(len(text), most))
+        self.seed.setFixedWidth(self.seed.fontMetrics().horizontalAdvance("0" * digits) + 26)
 
     def _add_arm(self) -> None:
         self.arm = QComboBox()

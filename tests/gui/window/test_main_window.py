@@ -276,3 +276,16 @@ def test_a_panel_that_floated_elsewhere_is_back_in_its_place(window: MainWindow,
     QApplication.processEvents()
     dock.setFloating(False)
     qtbot.waitUntil(lambda: dock.geometry().topLeft() == place.topLeft(), timeout=PATIENCE)
+
+
+def test_the_field_of_the_seed_takes_no_more_room_than_the_seed(window: MainWindow, qtbot: QtBot) -> None:
+    seed = window.toolbar.seed
+    few = seed.width()
+    seed.setFocus()
+    seed.selectAll()
+    qtbot.keyClicks(seed, "1234567890")
+    qtbot.waitUntil(lambda: seed.width() > few)
+    assert seed.width() >= seed.fontMetrics().horizontalAdvance("1234567890")
+    seed.selectAll()
+    qtbot.keyClicks(seed, "7")
+    qtbot.waitUntil(lambda: seed.width() == few)
