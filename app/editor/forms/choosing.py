@@ -44,9 +44,11 @@ class Chooser(QComboBox):
 
     Signals:
         chosen: By the user: the `Choice`, or None while what stands in the field names nothing.
+        entered: Enter was pressed, and not to choose one of those that are offered.
     """
 
     chosen = Signal(object)
+    entered = Signal()
 
     def __init__(self, name: str, hint: str) -> None:
         super().__init__()
@@ -69,9 +71,11 @@ class Chooser(QComboBox):
         popup = completer.popup()
         assert popup is not None
         popup.setObjectName("completions")
+        self._popup = popup
         self.activated.connect(self._activated)
         completer.activated.connect(self._completed)
         self.field.editingFinished.connect(self._typed)
+        self.field.returnPressed.connect(self._return_pressed)
         self._shown = -1
 
     def offer(self, choices: Iterable[Choice], chosen: object = None) -> None:
@@ -104,6 +108,13 @@ class Chooser(QComboBox):
 
     def _completed(self, _text: object) -> None:
         self._typed()
+
+    def _return_pressed(self) -> None:
+        popup = self.completer().popup()
+        if not (
+            popup.isVisible() and popup.currentIndex().isValid()
+        ):  # otherwise it chooses what is lit there
+            self.entered.emit()
 
     def _typed(self) -> None:
         choice = self.choice

@@ -34,7 +34,7 @@ class FeaturesPage(QWidget):
         self.new = SourceForm()
         self.new.changed.connect(self._ready)
         self.new.what.field.textChanged.connect(lambda _: self._ready())
-        self.new.what.field.returnPressed.connect(self._add)
+        self.new.what.entered.connect(self._add)
         self.add = QPushButton("Add feature")
         self.add.setToolTip("Let the behavior look at this, too")
         self.add.setAutoDefault(False)

@@ -77,7 +77,7 @@ class StatesPage(QWidget):
         self.new = Chooser("Behavior of a new state", "behavior or flag to add")
         self.new.chosen.connect(lambda _: self._ready())
         self.new.field.textChanged.connect(lambda _: self._ready())
-        self.new.field.returnPressed.connect(self._add)
+        self.new.entered.connect(self._add)
         self.add.setToolTip("Add a state that holds this; type “raise” and a name for a flag of your own")
         self.add.setAutoDefault(False)
         self.add.setEnabled(False)

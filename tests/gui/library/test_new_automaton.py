@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtWidgets import QApplication, QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import Basic, Nested, RaiseFlag
@@ -200,3 +200,20 @@ def test_enter_adds_a_feature_as_it_adds_a_state(dialog: NewAutomatonDialog, qtb
     assert dialog.draft.automaton is not None
     assert [use.shown for use in dialog.draft.automaton.features] == ["ICanSeeABox"]
     assert dialog.features.new.what.currentText() == ""
+
+
+def test_enter_on_what_is_offered_chooses_it_so_that_its_bindings_can_be_seen_first(
+    dialog: NewAutomatonDialog, qtbot: QtBot
+) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    chooser = dialog.features.new.what
+    chooser.field.setFocus()
+    qtbot.keyClicks(chooser.field, "ICanSee")
+    popup = QApplication.activePopupWidget()
+    assert popup is not None
+    qtbot.keyClick(popup, Qt.Key.Key_Down)
+    qtbot.keyClick(popup, Qt.Key.Key_Return)
+    assert dialog.draft.automaton is not None
+    assert (chooser.currentText(), dialog.draft.automaton.features) == ("ICanSeeABox", ())
+    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
+    assert [use.shown for use in dialog.draft.automaton.features] == ["ICanSeeABox"]
