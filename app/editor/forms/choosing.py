@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QComboBox, QCompleter, QLineEdit
+from PySide6.QtWidgets import QAbstractItemView, QComboBox, QCompleter, QLineEdit
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +71,7 @@ class Chooser(QComboBox):
         popup = completer.popup()
         assert popup is not None
         popup.setObjectName("completions")
-        self._popup = popup
+        self._popup: QAbstractItemView = popup
         self.activated.connect(self._activated)
         completer.activated.connect(self._completed)
         self.field.editingFinished.connect(self._typed)
