@@ -110,10 +110,8 @@ class Chooser(QComboBox):
         self._typed()
 
     def _return_pressed(self) -> None:
-        popup = self.completer().popup()
-        if not (
-            popup.isVisible() and popup.currentIndex().isValid()
-        ):  # otherwise it chooses what is lit there
+        lit = self._popup.isVisible() and self._popup.currentIndex().isValid()
+        if not lit:  # otherwise that is what Enter chooses
             self.entered.emit()
 
     def _typed(self) -> None:
