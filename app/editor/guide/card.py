@@ -222,7 +222,12 @@ class Guide(QFrame):
             self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
-        """Stop time once in a step, after *left* ticks: a little before, and then tick by tick."""
+        """Stop time after *left* ticks: a little before, and then tick by tick.
+
+        Once the moment is missed, because the user let time go on, it is the next one that counts.
+        """
+        if left is None:
+            self._stopping = self._stopped = False
         if left is None or self._stopped:
             return
         if snapshot.speed == 0.0:

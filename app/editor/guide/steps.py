@@ -182,10 +182,10 @@ FORAGING: tuple[Step, ...] = (
         _picked("wander"),
     ),
     Step(
-        "It has found a box",
-        "Let time pass (Space goes on and stops; + is faster). It stops by itself once a box is within the circle around "
-        "the agent, what it can see; while time stands still, you may also drag the agent to a box. Then pick "
-        "ReturnWithBox: it fetches the box and pulls it home.",
+        "When it finds a box",
+        "Time stops by itself once a box is within the circle around the agent, what it can see: then pick ReturnWithBox, "
+        "and it fetches the box and pulls it home. Until then let time pass (Space goes on and stops; + is faster), or "
+        "drag the agent to a box while time stands still.",
         "pick:ReturnWithBox",
         _picked("return-with-box"),
         _when("sees"),

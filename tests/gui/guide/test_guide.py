@@ -1,6 +1,7 @@
 """The guided first lesson: it waits for what the user does, points at it, and can be taken up again."""
 
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -134,7 +135,7 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     at(window, qtbot, "Let it search")
     faster(window, qtbot, 8.0)
     pick(window, qtbot, "Wander")
-    at(window, qtbot, "It has found a box")
+    at(window, qtbot, "When it finds a box")
     play_until(window, qtbot, "sees")
     pick(window, qtbot, "ReturnWithBox")
     at(window, qtbot, "And off again")
@@ -148,6 +149,23 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     qtbot.waitUntil(
         lambda: studio.snapshot is not None and studio.snapshot.measures["boxes"] > 3, timeout=PATIENCE
     )
+
+
+def test_who_lets_time_go_on_at_a_box_is_stopped_again_at_the_next(window: MainWindow, qtbot: QtBot) -> None:
+    studio = window.studio
+    studio.settings.lesson_step = SECOND
+    begin(window, qtbot)
+    choose_in_library(window, qtbot, RowKey("agent", "wander"))
+    choose_in_library(window, qtbot, RowKey("agent", "forage"))
+    at(window, qtbot, "Take an agent in hand")
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    at(window, qtbot, "Let it search")
+    faster(window, qtbot, 8.0)
+    pick(window, qtbot, "Wander")
+    at(window, qtbot, "When it finds a box")
+    play_until(window, qtbot, "sees")
+    walk_on(window, qtbot)
+    qtbot.waitUntil(lambda: seen_by(window, "sees") and time_stands_still(window)(), timeout=PATIENCE)
 
 
 def choose_in_library(window: MainWindow, qtbot: QtBot, key: RowKey) -> None:
@@ -174,6 +192,25 @@ def play_until(window: MainWindow, qtbot: QtBot, feature: str) -> None:
     if not seen_by(window, feature):
         qtbot.keyClick(window, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: seen_by(window, feature) and time_stands_still(window)(), timeout=PATIENCE)
+
+
+def walk_on(window: MainWindow, qtbot: QtBot) -> None:
+    """Have time go on although it stands still at a box, until that is out of sight."""
+
+    def gone_or_still() -> bool:
+        return not seen_by(window, "sees") or time_stands_still(window)()
+
+    while seen_by(window, "sees"):
+        tick = tick_of(window)
+        qtbot.keyClick(window, Qt.Key.Key_Space)
+        qtbot.waitUntil(
+            partial(lambda tick: tick_of(window) > tick and gone_or_still(), tick), timeout=PATIENCE
+        )
+
+
+def tick_of(window: MainWindow) -> int:
+    snapshot = window.studio.snapshot
+    return 0 if snapshot is None else snapshot.tick
 
 
 def seen_by(window: MainWindow, feature: str) -> bool:
