@@ -1,7 +1,8 @@
 """Icons of one family, Material Design from qtawesome, in the colors of the palette."""
 
 import qtawesome
-from PySide6.QtGui import QIcon
+from PySide6.QtCore import QRect, QSize
+from PySide6.QtGui import QIcon, QIconEngine, QPainter, QPixmap
 
 from .theme import Theme, mixed
 
@@ -10,4 +11,26 @@ def icon(name: str, theme: Theme, color: str = "text") -> QIcon:
     """The icon *name* of the family, such as ``play``, in a color of the palette by its name."""
     colors = theme.palette
     off = mixed(colors.dim, colors.panel, 0.45)
-    return qtawesome.icon(f"mdi6.{name}", color=theme.color(color), color_disabled=off)
+    drawn = qtawesome.icon(f"mdi6.{name}", color=theme.color(color), color_disabled=off)
+    return QIcon(_Kept(drawn))
+
+
+class _Kept(QIconEngine):
+    """Draws an icon once for each size and mode: the window is painted over and over, and a glyph takes ten calls."""
+
+    def __init__(self, drawn: QIcon) -> None:
+        super().__init__()
+        self._drawn = drawn
+        self._pixmaps: dict[tuple[int, int, QIcon.Mode, QIcon.State], QPixmap] = {}
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        """The icon in pixels of the screen."""
+        key = size.width(), size.height(), mode, state
+        if key not in self._pixmaps:
+            self._pixmaps[key] = self._drawn.pixmap(size, 1.0, mode, state)
+        return self._pixmaps[key]
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        """Paint it into a part of what is being painted."""
+        ratio = painter.device().devicePixelRatio()
+        painter.drawPixmap(rect, self.pixmap(rect.size() * ratio, mode, state))
