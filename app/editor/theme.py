@@ -179,6 +179,7 @@ QToolButton[flat="true"]:hover {{ background: {hover}; }}
 QComboBox QAbstractItemView, #completions {{ background: {colors.raised}; border: 1px solid {colors.hairline}; }}
 QComboBox {{ selection-background-color: {chosen}; selection-color: {colors.text}; }}
 QComboBoxPrivateContainer {{ border: none; }}
+QInputDialog {{ min-width: 340px; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; button-layout: {ACCEPT_LAST}; }}
 QComboBox::drop-down {{ border: none; width: 20px; }}
 QComboBox::down-arrow {{ image: url("{arrow.format("down")}"); width: 12px; height: 12px; }}

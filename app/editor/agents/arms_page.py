@@ -44,6 +44,7 @@ class ArmsPage(QWidget):
     Attributes:
         arms: The list.
         top, world, note: What the roots start with, where, and why.
+        parts: Turns between the two that follow.
         table: The quick way to make a forest.
         parameters: What differs from the world.
     """
@@ -77,7 +78,7 @@ class ArmsPage(QWidget):
         self.parameters.changed.connect(self._set_parameter)
         self.parameters.settled.connect(studio.document.end_gesture)
         self.trouble = Complaint(theme)
-        self.detail = QWidget()
+        self.detail, self.parts = QWidget(), QTabWidget()
         self._lay_out()
         studio.document.project_changed.connect(self.refresh)
         self.refresh()
@@ -87,14 +88,13 @@ class ArmsPage(QWidget):
         form.addRow("Starts with", self.top)
         form.addRow("World", self.world)
         form.addRow("Note", self.note)
-        inner = QTabWidget()
-        inner.setDocumentMode(True)
-        inner.addTab(self.table, "Forest")
-        inner.addTab(self.parameters, "Parameters of this arm")
+        self.parts.setDocumentMode(True)
+        self.parts.addTab(self.table, "Forest")
+        self.parts.addTab(self.parameters, "Parameters of this arm")
         right = QVBoxLayout(self.detail)
         right.setContentsMargins(0, 0, 0, 0)
         right.addLayout(form)
-        right.addWidget(inner, 1)
+        right.addWidget(self.parts, 1)
         left = QVBoxLayout()
         left.setSpacing(8)  # rather than that of the columns
         left.addWidget(self.arms, 1)

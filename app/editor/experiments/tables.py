@@ -15,6 +15,8 @@ Role = Qt.ItemDataRole
 WIDEST = 420
 #: And at least, where room is short.
 NARROWEST = 160
+#: Between rows whose words go on below.
+APART = 8
 
 
 class TextTable(QAbstractTableModel):
@@ -134,3 +136,5 @@ def _narrow(view: QTableView) -> None:
         view.setColumnWidth(widest, max(NARROWEST, widths[widest] - over))
     if view.wordWrap():
         view.resizeRowsToContents()
+        for row in range(view.model().rowCount()):
+            view.setRowHeight(row, view.rowHeight(row) + APART)

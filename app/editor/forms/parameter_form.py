@@ -7,6 +7,7 @@ from dataclasses import Field, dataclass
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -42,7 +43,7 @@ class _Row:
 
 
 class ParameterForm(QWidget):
-    """One row a parameter.
+    """One row a parameter; the rows are made when somebody looks at them first, since that takes a while.
 
     Attributes:
         filter: Words that a parameter's name or doc has to have.
@@ -61,6 +62,8 @@ class ParameterForm(QWidget):
         self._fields: Mapping[str, Field[Any]] = {}
         self._rows: dict[str, _Row] = {}
         self._own: Mapping[str, Value] = {}
+        self._elsewhere: Mapping[str, Value] = {}
+        self._is_late = False
         self.filter = QLineEdit()
         self.filter.setPlaceholderText("Filter parameters")
         self.filter.setAccessibleName("Filter parameters")
@@ -85,9 +88,23 @@ class ParameterForm(QWidget):
             elsewhere: The values that hold where none is set here.
         """
         if dict(fields) != dict(self._fields):
-            self._fields = fields
+            self._fields, self._rows = fields, {}
+        self._own, self._elsewhere = own, elsewhere
+        self._is_late = not self.isVisible()
+        if not self._is_late:
+            self._show()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what has come since it was seen last."""
+        super().showEvent(event)
+        if self._is_late:
+            self._is_late = False
+            self._show()
+
+    def _show(self) -> None:
+        if not self._rows:
             self._build()
-        self._own = own
+        fields, own, elsewhere = self._fields, self._own, self._elsewhere
         for name, row in self._rows.items():
             _put(row.editor, own.get(name, elsewhere.get(name, default(fields[name]))))
             here = name in own

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two tellings while time passes: nobody reads faster.
 READING = 250
+#: Letters of a name that is not broken.
+SHORT = 24
 EMPTY = "Select an agent or a controller to see what it does, and why."
 
 
@@ -145,8 +147,8 @@ class InspectorPanel(QWidget):
 
     def _level(self, number: int, level: LevelTold) -> str:
         rows = "".join(
-            f'<tr><td class="dim" style="white-space: nowrap">{escape(one.name)}</td><td>{escape(one.value)}</td>'
-            f'<td class="dim">{escape(one.words)}</td></tr>'
+            f'<tr><td class="dim" style="{_kept(one.name)}">{escape(one.name)}</td>'
+            f'<td style="{_kept(one.value)}">{escape(one.value)}</td><td class="dim">{escape(one.words)}</td></tr>'
             for one in (*level.bindings, *level.readings)
         )
         title = f'<p><a href="open:{number}">{escape(level.title)}</a></p>'
@@ -203,3 +205,8 @@ def inspector_rows(panel: InspectorPanel) -> tuple[ActionRow, ...]:
             lambda _: panel.has_examples,
         ),
     )
+
+
+def _kept(words: str) -> str:
+    """The style of words that stay on one line if they are short; longer ones would leave no room for what stands beside."""
+    return "white-space: nowrap" if len(words) <= SHORT else ""

@@ -114,6 +114,7 @@ def test_a_parameter_of_an_arm_is_set_with_its_range_and_taken_back(
 ) -> None:
     page = dialog.arms
     page.arms.choose("independent")
+    page.parts.setCurrentWidget(page.parameters)
     editor = page.parameters.editor("boxes")
     assert "by default" in editor.toolTip()
     set_number(editor, qtbot, "4")
