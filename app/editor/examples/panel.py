@@ -231,6 +231,11 @@ class ExamplesPanel(QWidget):
         row = self.model.row_of(self.chosen[0])
         return None if row < 0 else self.model.example(row)
 
+    def _first_chosen(self) -> Example | None:
+        """The first selected example that is shown."""
+        rows = (self.model.row_of(example_id) for example_id in self.chosen)
+        return next((self.model.example(row) for row in rows if row >= 0), None)
+
     # ------------------------------------------------------------------------------------------- editing
 
     def _edit(self, column: int, ids: tuple[str, ...], value: object) -> None:
@@ -257,18 +262,21 @@ class ExamplesPanel(QWidget):
         subject = self.model.subject
         if subject is None or not self.chosen:
             return
-        states = states_of(subject)
-        names = [name for _, name in states]
+        ids, names = zip(*states_of(subject), strict=True)
+        first = self._first_chosen()
+        now = ids.index(first.label) if first is not None and first.label in ids else 0
         name, ok = QInputDialog.getItem(
-            self, "Relabel", "The selected examples go to", names, 0, editable=False
+            self, "Relabel", "The selected examples go to", names, now, editable=False
         )
         if ok:
-            self._change(relabel_examples, self.chosen, states[names.index(name)][0])
+            self._change(relabel_examples, self.chosen, ids[names.index(name)])
 
     def weigh(self) -> None:
         """Let the selected examples count more or less."""
+        first = self._first_chosen()
+        now = 1.0 if first is None else first.weight
         weight, ok = QInputDialog.getDouble(
-            self, "Weight", "Each of the selected examples counts as", 1.0, LIGHTEST, HEAVIEST, 2
+            self, "Weight", "Each of the selected examples counts as", now, LIGHTEST, HEAVIEST, 2
         )
         if ok:
             self._change(weight_examples, self.chosen, weight)

@@ -26,6 +26,7 @@ from ...core.errors import UnderstudyError
 from ...core.features import Binding, Ground, Parameter
 from ...core.vocabulary import Target
 from ..icons import icon
+from .tab_order import tab_through
 
 if TYPE_CHECKING:
     from ..document import Document
@@ -313,6 +314,7 @@ class SlotForm(QWidget):
             self.boxes = {slot: self._box(slot, parameters, targets) for slot in slots}
             for slot, box in self.boxes.items():
                 self._form.addRow(f"{slot} is", box)
+            tab_through(self, self.boxes.values())
         for slot, box in self.boxes.items():
             place = next((k for k in range(box.count()) if box.itemData(k) == bindings.get(slot)), -1)
             box.setCurrentIndex(place)

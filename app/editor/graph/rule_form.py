@@ -22,6 +22,7 @@ from ...core.errors import UnderstudyError
 from ...core.features import FeatureUse, Source
 from ...core.vocabulary import Vocabulary
 from ...core.wording import condition_words, feature_of, state_words
+from ..forms.tab_order import tab_through
 from . import offers
 from .condition_row import ConditionRow
 from .number_field import NumberField
@@ -97,6 +98,7 @@ class RuleForm(QWidget):
         self.blocks = blocks
         for number, block in enumerate(blocks):
             self._column.insertWidget(2 + number, block)
+        tab_through(self, [*blocks, self.more])
         if had_keys:
             self._put_keys(*self._keys_go)
         self._keys_go = "", ""

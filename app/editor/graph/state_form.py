@@ -11,6 +11,7 @@ from ...core.edits import bind_state, note_state, order_rules, remove_rule, rena
 from ...core.edits.bindings import bindings_of
 from ...core.wording import content_words, rule_words, state_words
 from ..forms.parts import Item, OrderedList, caption
+from ..forms.tab_order import tab_through
 from . import offers
 from .list_choice import ListChoice
 from .scoping import Scoping
@@ -113,6 +114,7 @@ class StateForm(QWidget):
                 self._put("Flag", self.flag)
         self._put("Name", self.name)
         self._put("Note", self.note)
+        tab_through(self, [*self.slots.values(), self.flag, self.name, self.note, self.rules])
 
     def _update(self, state: State) -> None:
         """What stands in the fields; not in the one that is being typed into."""

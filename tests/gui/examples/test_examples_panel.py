@@ -1,11 +1,11 @@
 """The examples table as a user handles it."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QMenu
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QInputDialog, QMenu
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import disable_examples, relabel_examples, set_values
+from app.core.edits import disable_examples, relabel_examples, set_values, weight_examples
 from app.core.examples import Example
 from app.editor.examples.model import Column, ExamplesModel, Index
 from app.editor.examples.panel import ExamplesPanel
@@ -261,3 +261,25 @@ def test_the_weight_of_an_example_is_seen_without_scrolling_in_a_small_window(
     have_done_what_is_due()
     seen = panel.table.visualRect(panel.model.index(0, Column.WEIGHT))
     assert panel.table.viewport().rect().contains(seen)
+
+
+def test_dialogs_for_labels_and_weights_begin_with_what_the_example_says(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    first = panel.model.example(2)
+    window.studio.document.do(weight_examples, WANDER.type, WANDER.id, [first.id], 2.5)
+    panel.refresh()
+    click(qtbot, panel, 2)
+    qtbot.waitUntil(window.studio.actions["examples.relabel"].isEnabled)
+    seen: list[object] = []
+
+    def look() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, QInputDialog)
+        seen.append(dialog.textValue() or dialog.doubleValue())
+        dialog.reject()
+
+    for action in ("examples.relabel", "examples.weigh"):
+        QTimer.singleShot(0, look)
+        window.studio.actions[action].trigger()
+    assert seen == [panel.model.index(2, Column.LABEL).data(), 2.5]

@@ -191,6 +191,24 @@ def test_a_rule_is_made_by_keys_alone_and_they_go_on_where_it_goes_on(
     assert not automaton(author).rules[0].guard
 
 
+def test_tab_goes_through_a_rule_as_it_is_read(author: Author) -> None:
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    author.test("DistanceTo(deposit)")
+    block, row = author.block, author.row(0)
+    wanted = [row.what, row.how, row.numbers[0]]
+    row.what.setFocus()
+    found = []
+    for _ in wanted:
+        found.append(author.panel.focusWidget())
+        author.qtbot.keyClick(author.panel.focusWidget(), Qt.Key.Key_Tab)
+    assert found == wanted
+    while author.panel.focusWidget() is not block.add:  # what removes the test comes first
+        author.qtbot.keyClick(author.panel.focusWidget(), Qt.Key.Key_Tab)
+    author.qtbot.keyClick(block.add, Qt.Key.Key_Tab)
+    assert author.panel.focusWidget() is author.panel.form.rules.more
+
+
 def test_keys_stay_on_a_rule_that_is_tried_earlier(author: Author) -> None:
     author.show(AUTHORED)
     author.link("Wander", "ReturnWithBox")
@@ -230,7 +248,10 @@ def test_the_form_of_a_state_lists_its_rules_in_order_and_alt_with_an_arrow_move
 def test_the_keys_begin_in_what_a_new_state_leaves_open(blank: BehaviorKey, author: Author) -> None:
     author.add_state("Goto(X)")
     author.come_back()
-    assert author.panel.form.state.slots["X"].hasFocus()
+    form = author.panel.form.state
+    assert form.slots["X"].hasFocus()
+    author.qtbot.keyClick(form.slots["X"], Qt.Key.Key_Tab)
+    assert form.name.hasFocus()
 
 
 def test_words_at_transitions_between_states_that_were_dropped_do_not_cover_each_other(

@@ -217,3 +217,15 @@ def test_enter_on_what_is_offered_chooses_it_so_that_its_bindings_can_be_seen_fi
     assert (chooser.currentText(), dialog.draft.automaton.features) == ("ICanSeeABox", ())
     qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
     assert [use.shown for use in dialog.draft.automaton.features] == ["ICanSeeABox"]
+
+
+def test_tab_goes_from_what_a_feature_looks_at_to_what_that_leaves_open(
+    dialog: NewAutomatonDialog, qtbot: QtBot
+) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    form = dialog.features.new
+    choose(form.what, qtbot, "DistanceTo(target)")
+    qtbot.keyClick(form.what.field, Qt.Key.Key_Tab)
+    assert dialog.focusWidget() is form.slots.boxes["target"]
+    qtbot.keyClick(dialog.focusWidget(), Qt.Key.Key_Tab)
+    assert dialog.focusWidget() is not form.slots.boxes["target"]
