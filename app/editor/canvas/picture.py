@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QPainter, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
 
@@ -26,11 +26,13 @@ class Picture:
         self._paint(painter)
         painter.end()
 
-    def show(self) -> None:
-        """In a paint event: show what was painted, anew only if it has another size."""
-        if self._pixmap.size() != self._wanted():
+    def show(self, ground: QColor) -> None:
+        """In a paint event: show what was painted; where the widget has grown since, there is but the ground."""
+        if self._pixmap.isNull():
             self.paint_anew()
         painter = QPainter(self._widget)
+        if self._pixmap.size() != self._wanted():
+            painter.fillRect(self._widget.rect(), ground)
         painter.drawPixmap(0, 0, self._pixmap)
         painter.end()
 

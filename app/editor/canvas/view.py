@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPointF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHideEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 
 from ...core.errors import UnderstudyError
@@ -62,8 +62,7 @@ class WorldCanvas(Surface):
         self._coloring: tuple[Scene, object, Coloring] | None = None
         self._hidden_notice = ""
         self._make_overlays()
-        self._counting = QTimer(self, interval=COUNTING, singleShot=True)
-        self._counting.timeout.connect(self._count)
+        self._counting = Later(self, self._count, COUNTING)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 180)
         self.setAccessibleName("World")
@@ -163,8 +162,7 @@ class WorldCanvas(Surface):
         if self.scene is None:
             self.looking.begin(scene)
         self.scene = scene
-        if not self._counting.isActive():
-            self._counting.start()
+        self._counting.ask()
         self.looking.see(scene, self._studio.selection.nodes)
         self.touch()
 
@@ -305,7 +303,7 @@ class WorldCanvas(Surface):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Show what was painted last."""
-        self._picture.show()
+        self._picture.show(self._studio.theme.color("canvas"))
 
     def _paint(self, painter: QPainter) -> None:
         """Paint the newest frame."""
@@ -384,8 +382,9 @@ class WorldCanvas(Surface):
         bottom = 2.0 * EDGE + self.legend.sizeHint().height()
         margins = Margins(left=EDGE, top=EDGE, right=SIDE + 2.0 * EDGE, bottom=bottom)
         self.looking.resize(self.width(), self.height(), margins)
-        self._count()
+        self._counting.hurry()
         self._place_overlays()
+        self.touch()
         super().resizeEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:

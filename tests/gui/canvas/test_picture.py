@@ -12,6 +12,8 @@ from app.engine.commands import Step
 
 from .pilot import Pilot
 
+GROUND = QColor("#445566")
+
 
 class Shown(QWidget):
     """Shows a picture of one color."""
@@ -27,7 +29,7 @@ class Shown(QWidget):
         painter.fillRect(self.rect(), QColor(self.color))
 
     def paintEvent(self, _event: object) -> None:  # noqa: N802 - Qt's name
-        self.picture.show()
+        self.picture.show(GROUND)
 
 
 @pytest.fixture
@@ -51,11 +53,12 @@ def test_what_was_painted_is_shown_until_it_is_painted_anew(shown: Shown) -> Non
     assert shown.painted == ["#102030", "#a0b0c0"]
 
 
-def test_another_size_is_painted_at_once(shown: Shown) -> None:
+def test_where_there_is_more_room_than_before_there_is_ground_until_it_is_painted_anew(shown: Shown) -> None:
     shown.grab()
-    shown.color = "#a0b0c0"
     shown.resize(90, 70)
-    assert color_at(shown, 89, 69) == "#a0b0c0"
+    assert (color_at(shown, 59, 39), color_at(shown, 89, 69)) == ("#102030", GROUND.name())
+    shown.picture.paint_anew()
+    assert color_at(shown, 89, 69) == "#102030"
 
 
 def test_what_was_forgotten_is_painted_anew(shown: Shown) -> None:
