@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QFocusEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QComboBox, QCompleter, QLineEdit
 
 
@@ -25,13 +25,24 @@ class Choice:
 
 
 class _Field(QLineEdit):
-    """A click into it while it is empty shows all that can be chosen."""
+    """The first click into it, and any while it is empty, shows all that can be chosen; what one types is instead."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._clicked_into = False
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """See above."""
+        super().focusInEvent(event)
+        self._clicked_into = event.reason() == Qt.FocusReason.MouseFocusReason
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """See above."""
         super().mouseReleaseEvent(event)
-        completer = self.completer()
-        if not self.text():
+        if self._clicked_into or not self.text():
+            self._clicked_into = False
+            self.selectAll()
+            completer = self.completer()
             completer.setCompletionPrefix("")
             completer.complete()
 

@@ -60,6 +60,27 @@ def test_an_arm_is_added_named_and_its_world_shown(dialog: ArmsDialog, studio: S
     qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.arm == "mine", timeout=PATIENCE)
 
 
+def test_a_click_on_what_the_roots_start_with_shows_all_that_it_can_be(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    page = dialog.arms
+    page.arms.choose("independent")
+    field, completer = page.top.field, page.top.completer()
+    assert completer is not None
+    popup = completer.popup()
+    assert popup is not None
+    dialog.activateWindow()
+    qtbot.waitUntil(dialog.isActiveWindow, timeout=PATIENCE)
+    qtbot.mouseClick(field, LEFT)
+    qtbot.waitUntil(popup.isVisible, timeout=PATIENCE)
+    model = popup.model()
+    assert {model.index(row, 0).data() for row in range(model.rowCount())} >= {"Forage", "Wander", "Forward"}
+    qtbot.keyClicks(field, "Wand")
+    qtbot.keyClick(popup, Qt.Key.Key_Down)
+    qtbot.keyClick(popup, Qt.Key.Key_Return)
+    assert studio.document.project.arm("independent").top == "Wander"
+
+
 def test_a_new_arm_starts_with_what_others_start_with(
     dialog: ArmsDialog, studio: Studio, qtbot: QtBot
 ) -> None:
