@@ -1,4 +1,4 @@
-"""Copying states with their authored transitions, within an automaton or into another."""
+"""Copying states with their transitions, within an automaton or into another."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -8,8 +8,10 @@ from ..conditions import Guard
 from ..features import FeatureUse
 from ..naming import next_number
 from ..project import Project
+from ..tree import Tree
 from .features import add_feature
 from .place import change, find_automaton, find_feature
+from .rules import author_learned
 from .states import add_state, refuse_states
 from .words import says
 
@@ -25,7 +27,7 @@ def copy_states(
 
     Rules that leave a copied state come along where their target does: among the copies, or in the same automaton.
     Start among *state_ids* means the other Start. Features that the rules test are added where they are missing.
-    Learned transitions stay behind, since they belong to the examples; `author_learned` makes rules of them first.
+    What a decision tree learned comes along as rules that do the same, since its examples stay where they were taught.
 
     Raises:
         EditError: A state is missing, or holds an automaton that *into* may not hold.
@@ -37,9 +39,9 @@ def copied_states(
     project: Project, source: Where, state_ids: Sequence[str], into: Where, contents: Mapping[str, Content]
 ) -> tuple[Project, dict[str, str]]:
     """The same, where some of the copies hold something else than their originals: *contents*, by the originals' ids."""
-    original = find_automaton(project, *source)
+    refuse_states(find_automaton(project, *source), state_ids)
     find_automaton(project, *into)
-    refuse_states(original, state_ids)
+    original = _told(project, source, state_ids)
     copies: dict[str, str] = {}
     for state in original.states:
         if state.id in state_ids and state.id != START:
@@ -56,6 +58,18 @@ def copied_states(
     if source == into:  # rules of Start that lead to states that were not copied are there already
         rules = [rule for rule in rules if rule.source != START or rule.target in copies.values()]
     return _with_rules(project, original, rules, into), copies
+
+
+def _told(project: Project, where: Where, state_ids: Sequence[str]) -> Automaton:
+    """An automaton with rules for what the trees of some states learned; none that it has already."""
+    before = find_automaton(project, *where)
+    for state_id in state_ids:
+        if isinstance(before.learned.get(state_id), Tree):
+            project = author_learned(project, *where, state_id)
+    known = {(rule.source, rule.guard, rule.target) for rule in before.rules}
+    made = find_automaton(project, *where).rules[len(before.rules) :]
+    new = [rule for rule in made if (rule.source, rule.guard, rule.target) not in known]
+    return replace(before, rules=(*before.rules, *new))
 
 
 def _with_rules(project: Project, original: Automaton, rules: Sequence[Rule], into: Where) -> Project:

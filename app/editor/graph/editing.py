@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 #: How far copies stand from their originals.
 ASIDE = 40.0
+LEARNED_COPIED = "what the states learned came along as rules; the examples stay where they were taught"
 #: What one step does: project in, project and more out.
 Step = Callable[[Project], tuple[Project, Any]]
 
@@ -243,6 +244,9 @@ class GraphEditing:
         before = self._studio.document.project.library(where[0]).automata
         made = self._push(f"Copy {many} into {level.automaton.name}", step)
         after = self._studio.document.project.library(where[0]).automata
+        learned = self._studio.document.project.library(source[0]).get(source[1]).learned
+        if made and any(state in learned for state in ids):
+            self._studio.say(LEARNED_COPIED)
         if came := [automaton.name for key, automaton in after.items() if key not in before]:
             self._studio.say(f"{', '.join(came)} came along to {where[0]}, since the states hold it")
         return [(*level.path, new) for new in made.values()] if made else []

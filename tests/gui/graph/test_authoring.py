@@ -10,6 +10,7 @@ from app.core.conditions import AtMost, Condition, Equals
 from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.core.features import Ground, Parameter
 from app.editor.graph.edge_item import label_size
+from app.editor.graph.editing import LEARNED_COPIED
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -323,6 +324,21 @@ def test_states_are_copied_into_another_automaton(author: Author, blank: Behavio
         ("wander", "return-with-box"),
         ("return-with-box", "wander"),
     ]
+
+
+def test_what_copied_states_learned_comes_along_as_rules(author: Author, studio: Studio) -> None:
+    top = studio.document.do(add_automaton, "agent", "Top")
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(BehaviorKey("agent", top))
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert said.args[0].text == LEARNED_COPIED
+    shown = {key[1:]: item.edge.rules[0].words for key, item in author.panel.scene.edges.items()}
+    assert shown["wander", "return-with-box"] == "sees a box"
+    assert shown["return-with-box", "wander"] == "done"
 
 
 def test_states_copied_to_another_node_type_bring_along_what_that_lacks(

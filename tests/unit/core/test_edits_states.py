@@ -5,10 +5,11 @@ import pytest
 from app.core import edits
 from app.core.automaton import START, Basic, Nested, RaiseFlag, Refit, Rule, Start, State
 from app.core.check import check
-from app.core.conditions import Equals
+from app.core.conditions import Condition, Equals
 from app.core.errors import EditError
 from app.core.features import Ground, Parameter
 from app.core.project import Project
+from app.core.tree import Branch, Leaf, Tree
 from tests.samples import AGENT, GROUP, project, vocabulary, when
 
 
@@ -181,6 +182,24 @@ def test_duplicates_in_the_same_automaton_leave_as_the_originals_do() -> None:
     assert new == "approach-2"
     assert [(rule.id, rule.target) for rule in forage.rules_of(new)] == [("6", "fetch"), ("7", "wander")]
     assert forage.rules_of("wander") == project().library(AGENT).get("forage").rules_of("wander")
+
+
+def test_what_a_tree_learned_comes_along_as_rules_that_do_the_same_once() -> None:
+    root = Branch(Equals("sees", 1.0), Leaf((0.0, 3.0)), Leaf((4.0, 0.0)), (4.0, 3.0))
+    tree = Tree(("wander", "approach"), root)
+    before = edits.remove_rules_of(project(), AGENT, "forage", "wander")
+    before = edits.set_learned(before, AGENT, "forage", {"wander": tree}, "")
+    before, into = edits.add_automaton(before, AGENT, "hunt")
+    for learned in (before, edits.author_learned(before, AGENT, "forage", "wander")):
+        changed, _ = edits.copy_states(learned, (AGENT, "forage"), ["wander", "approach"], (AGENT, into))
+        hunt = changed.library(AGENT).get(into)
+        sees = hunt.features[0].id
+        assert [(rule.guard, rule.target) for rule in hunt.rules_of("wander")] == [
+            (when(Equals(sees, 1.0)), "approach"),
+            ((Condition(Equals(sees, 1.0), wanted=False),), "wander"),
+        ]
+        assert not hunt.learned
+        assert changed.library(AGENT).get("forage") == learned.library(AGENT).get("forage")
 
 
 def test_copied_rules_of_start_lead_to_the_copies() -> None:
