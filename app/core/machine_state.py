@@ -39,11 +39,29 @@ def thaw_node(machine: Machine, node_id: str, state: MachineState) -> None:
             _thaw(machine, machine.actors[node.id], state["nodes"][node.id])
 
 
-def rebase(machine: Machine, types: Types, classifiers: Classifiers) -> None:
-    """Go on with other libraries and models: every node goes on with what it does, as far as `thaw` can do that."""
+def resume_node(machine: Machine, node_id: str, state: MachineState) -> bool:
+    """Let one node go on with what it did then, as if no time had passed since; whether its behavior is there to go on with."""
+    actor, frozen = machine.actors[node_id], state["nodes"][node_id]
+    if _thawed_run(machine, actor, frozen["run"]) is None:
+        return False
+    _thaw(machine, actor, frozen)
+    run = actor.run
+    while run is not None:
+        run.entered = min(machine.now, run.entered + machine.now - state["now"])
+        run = run.child
+    return True
+
+
+def rebase(machine: Machine, types: Types, classifiers: Classifiers) -> MachineState:
+    """Go on with other libraries and models: every node goes on with what it does, as far as `thaw` can do that.
+
+    Returns:
+        What the nodes did before.
+    """
     state = freeze(machine)
     machine.use(types, classifiers)
     thaw(machine, state)
+    return state
 
 
 def _thaw(machine: Machine, actor: Actor, frozen: Mapping[str, Any]) -> None:

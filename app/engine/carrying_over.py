@@ -3,7 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from ..core.errors import EditError, SessionError
+from ..core.errors import EditError, SessionError, UnderstudyError
+from ..core.machine import Machine
+from ..core.machine_state import MachineState, resume_node
 from ..core.project import Arm, Project
 from .plan import some
 from .snapshots import Edit, NodeView, edited
@@ -58,13 +60,67 @@ def _called(name: str, project: Project) -> Arm | None:
     return next((arm for arm in project.arms if arm.name == name), None)
 
 
-def losses(before: Mapping[str, NodeView], after: Mapping[str, NodeView]) -> Sequence[str]:
-    """Who does not do any more what it did, because that was edited away."""
-    idle = [n for n, now in after.items() if before[n].behavior and not now.behavior]
+class LeftOff:
+    """What nodes did whose behavior was edited away, until they are told to do something else: it may come back by undo."""
+
+    def __init__(self) -> None:
+        self._states: dict[str, MachineState] = {}
+        self._instead: dict[str, str] = {}
+
+    def forget(self) -> None:
+        """All nodes have been told what to do."""
+        self._states.clear()
+        self._instead.clear()
+
+    def note(self, before: MachineState, machine: Machine) -> None:
+        """Remember what nodes did before an edit that do nothing since."""
+        for node_id, actor in machine.actors.items():
+            if actor.run is None and before["nodes"][node_id]["run"] is not None:
+                self._states.setdefault(node_id, before)
+
+    def resume(self, machine: Machine) -> None:
+        """Let those go on whose behavior is there again, if they have done nothing else of their own meanwhile."""
+        for node_id, state in tuple(self._states.items()):
+            run = machine.actors[node_id].run
+            waits = run is None or run.behavior.name == self._instead.get(node_id)
+            if not waits or resume_node(machine, node_id, state):
+                del self._states[node_id]
+                self._instead.pop(node_id, None)
+
+    def begin_instead(self, machine: Machine, arm: Arm) -> Mapping[str, str]:
+        """Let roots that do nothing any more start what the arm runs now, if it can be started.
+
+        Returns:
+            Who began with what.
+        """
+        begun: dict[str, str] = {}
+        for root in arm.forest().roots:
+            if arm.top and root.id in self._states and machine.actors[root.id].run is None:
+                try:
+                    machine.direct(root.id, arm.top)
+                except UnderstudyError:  # the arm cannot run, which is told where it is made
+                    continue
+                begun[root.id] = arm.top
+        self._instead |= begun
+        return begun
+
+
+def losses(
+    before: Mapping[str, NodeView], after: Mapping[str, NodeView], begun: Mapping[str, str]
+) -> Sequence[str]:
+    """Who does not do any more what it did, because that was edited away.
+
+    Args:
+        begun: What nodes that did nothing after it have begun with, by their ids.
+    """
+    idle = [n for n, now in after.items() if before[n].behavior and not now.behavior and n not in begun]
     back = [n for n, now in after.items() if now.behavior and now.path != before[n].path]
     told = []
+    if begun:
+        what = " and ".join(dict.fromkeys(begun.values()))
+        told.append(f"what these nodes did is gone, so they begin with {what}: {some(list(begun))}")
     if idle:
-        told.append(f"what these nodes did is gone, so they idle: {some(idle)}")
+        told.append(f"what these nodes did is gone, so they idle until it is back: {some(idle)}")
     if back:
         told.append(f"the state is gone, or holds something else, that these nodes were in: {some(back)}")
     return told

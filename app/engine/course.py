@@ -1,6 +1,7 @@
 """How a session goes on: its project, world, time and lesson, which change together; commands are in `session.py`."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from ..core.actor import Actor
@@ -13,9 +14,10 @@ from ..sim.engines import AUTO
 from ..sim.scenario import Scenario
 from .acts import Act
 from .ask import Asking
-from .carrying_over import EditLog, arm_now, losses
+from .carrying_over import EditLog, LeftOff, arm_now, losses
 from .clock import Clock
 from .compiling import KernelCompiler
+from .directing import direct_roots
 from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
 from .live_world import LiveWorld
@@ -77,6 +79,7 @@ class Course:
         self._tickets = 0
         self._events: list[Event] = []
         self._log = EditLog()
+        self._left_off = LeftOff()
         self._lesson: Lesson | None = None
         self._waits_for: Question | None = None
         self._asked_by = 0
@@ -205,6 +208,7 @@ class Course:
         if lesson is None:
             self._transcript.leave()
         self._lesson, self._waits_for = lesson, waits_for
+        self._left_off.forget()
         self._answered.clear()
         self._close_question()
         self._clock.stop_going()
@@ -330,15 +334,26 @@ class Course:
     def _rebase(self) -> None:
         machine, types = self._world.engine.machine, self.project.types_with(self._scenario.vocabulary)
         before = views(machine)
-        rebase(machine, types, self._models.classifiers)
-        self._events += [Interrupted(loss) for loss in losses(before, views(machine))]
+        did = rebase(machine, types, self._models.classifiers)
+        self._left_off.resume(machine)
+        self._left_off.note(did, machine)
+        after = views(machine)
+        free = self._lesson is None
+        begun = self._left_off.begin_instead(machine, self._world.treatment.arm) if free else {}
+        self._events += [Interrupted(loss) for loss in losses(before, after, begun)]
         if self._lesson is not None:
             try:
                 self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]
             except UnderstudyError as error:
-                self._enter(None)
+                self._run_arm()
                 self._clock.pause()
                 self._events.append(Interrupted(f"the lesson is over: {error}"))
+
+    def _run_arm(self) -> None:
+        """Nobody is taught any more: the arm runs, from the beginning of its behavior."""
+        self._enter(None)
+        with suppress(UnderstudyError):  # the arm cannot run either, which is told where it is made
+            direct_roots(self._world.engine.machine, self._world.treatment.arm)
 
     # -------------------------------------------------------------------------------------------- learning
 

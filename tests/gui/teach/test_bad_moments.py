@@ -63,6 +63,17 @@ def test_deleting_what_is_taught_ends_the_lesson_and_says_so(hand: Hand) -> None
     assert "grab-box" in hand.page.buttons
 
 
+def test_agents_go_on_once_undo_brings_back_what_they_did(hand: Hand) -> None:
+    hand.hold(3)
+    before = hand.snapshot.nodes["agent-3"]
+    assert before.behavior == "Forage"
+    hand.act(lambda: hand.studio.document.do(delete_automaton, "agent", "forage", "Wander"))
+    assert any("is gone, so they begin with Wander" in said for said in hand.said)
+    hand.wait(lambda: hand.snapshot.nodes["agent-3"].behavior == "Wander")
+    hand.act(hand.undo)
+    hand.wait(lambda: hand.snapshot.nodes["agent-3"] == before)
+
+
 def test_deleting_the_state_that_was_just_picked_is_said(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     hand.pick("RotateLeft")

@@ -112,12 +112,65 @@ def test_a_waiting_pick_whose_target_gets_open_is_not_carried_out() -> None:
     assert driver.interruptions[0].startswith("what was picked for 'agent-1' is not done: 'target' of state ")
 
 
-def test_nodes_whose_behavior_was_deleted_idle_and_the_session_says_so() -> None:
+def test_nodes_whose_behavior_was_deleted_begin_with_what_replaces_it_in_the_arm() -> None:
     driver = Driver().advance(2).edit(delete_automaton, AGENT, "Stroll", "Signal")
+    assert driver.view().behavior == "Signal"
+    assert driver.interruptions == [
+        "what these nodes did is gone, so they begin with Signal: agent-1, agent-2"
+    ]
+
+
+def test_undoing_a_deletion_lets_nodes_go_on_where_they_were() -> None:
+    driver = Driver().advance(2)
+    whole, path = driver.project, driver.view().path
+    driver.edit(delete_automaton, AGENT, "Stroll", "Signal").advance(3)
+    driver.edit(lambda _: whole)
+    assert (driver.view().behavior, driver.view().path) == ("Stroll", path)
+    place = driver.place()
+    assert driver.advance().place() > place
+    driver.edit(delete_automaton, AGENT, "Stroll", "Signal")  # as redo does
+    assert driver.view().behavior == "Signal"
+
+
+def test_ticks_in_which_a_behavior_was_gone_do_not_count_for_those_that_go_on() -> None:
+    driver = Driver().advance(4)
+    whole = driver.project
+    entered = driver.session._world.engine.machine.actors["agent-1"].run.entered  # type: ignore[union-attr]
+    driver.edit(delete_automaton, AGENT, "Stroll", "Signal").advance(3).edit(lambda _: whole)
+    run = driver.session._world.engine.machine.actors["agent-1"].run
+    assert run is not None
+    assert run.entered == entered + 3
+
+
+def test_nodes_that_were_told_something_else_meanwhile_go_on_with_that() -> None:
+    driver = Driver().advance(2)
+    whole = driver.project
+    driver.edit(delete_automaton, AGENT, "Stroll", "Signal").run().edit(lambda _: whole)
+    assert driver.view().behavior == "Signal"
+
+
+def test_where_nothing_replaces_a_behavior_nodes_idle_until_it_is_back() -> None:
+    driver = Driver().advance(2)
+    whole = driver.project
+    bare = replace(
+        whole,
+        libraries={**whole.libraries, AGENT: replace(whole.library(AGENT), automata={})},
+        arms=tuple(replace(arm, top="") for arm in whole.arms),
+    )
+    driver.edit(lambda _: bare)
     assert driver.view().behavior == ""
-    assert driver.interruptions == ["what these nodes did is gone, so they idle: agent-1, agent-2"]
+    assert driver.interruptions == [
+        "what these nodes did is gone, so they idle until it is back: agent-1, agent-2"
+    ]
     assert driver.advance(3).place() == 2.0
-    assert driver.run().advance().view().behavior == "Signal"  # the replacement, also in the arm
+    driver.edit(lambda _: whole)
+    assert driver.view().behavior == "Stroll"
+    assert driver.advance().place() == 3.0
+
+
+def test_the_arm_runs_again_once_what_was_taught_has_been_deleted() -> None:
+    driver = teaching().edit(delete_automaton, AGENT, "Shuttle")
+    assert [driver.view(f"agent-{k}").behavior for k in (1, 2)] == ["Stroll", "Stroll"]
 
 
 def test_deleting_the_behavior_that_is_taught_ends_the_lesson_and_pauses() -> None:

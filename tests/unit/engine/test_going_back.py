@@ -187,10 +187,13 @@ def test_other_edits_leave_the_past_as_it_is() -> None:
     assert at(driver, 9) == replace(looks[9], revision=1)
 
 
-def test_a_behavior_that_is_deleted_while_it_runs_idles_and_time_goes_on() -> None:
-    driver = Driver().advance(10).edit(delete_automaton, AGENT, "Stroll", "Signal").advance(5)
-    assert driver.view("agent-1").behavior == ""
-    assert at(driver, 12).tick == 12
+def test_a_behavior_that_is_deleted_while_it_runs_gives_way_to_another_and_it_is_gone_back_in_to_there() -> (
+    None
+):
+    driver = Driver().advance(10).edit(delete_automaton, AGENT, "Stroll", "Signal").advance(2)
+    shown = driver.look()
+    assert driver.view("agent-1").behavior == "Signal"
+    assert at(driver.advance(5), 12) == shown
 
 
 # ------------------------------------------------------------------------------------------------ failures
