@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from ..forms.buttons import closing
+from ..forms.late_pages import LatePages
 from .arms_page import ArmsPage
 from .types_page import TypesPage
 from .worlds_page import WorldsPage
@@ -30,25 +32,21 @@ def arms_and_worlds(studio: Studio, parent: QWidget, page: str = "") -> ArmsDial
 
 
 class ArmsDialog(QDialog):
-    """A window that stays open beside the work; every change is done at once and can be undone.
-
-    Attributes:
-        arms, worlds, types: The pages.
-    """
+    """A window that stays open beside the work; every change is done at once and can be undone."""
 
     def __init__(self, studio: Studio, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("arms-and-worlds")
         self.setWindowTitle("Arms and worlds")
-        self.arms = ArmsPage(studio)
-        self.worlds = WorldsPage(studio)
-        self.types = TypesPage(studio)
-        self._pages: dict[str, QWidget] = {ARMS: self.arms, WORLDS: self.worlds, TYPES: self.types}
-        self.tabs = QTabWidget()
-        self.tabs.setDocumentMode(True)
-        for title, page in self._pages.items():
-            self.tabs.addTab(page, title)
+        self.tabs = LatePages()
+        self.tabs.offer(
+            {
+                ARMS: partial(ArmsPage, studio),
+                WORLDS: partial(WorldsPage, studio),
+                TYPES: partial(TypesPage, studio),
+            }
+        )
         column = QVBoxLayout(self)
         column.addWidget(self.tabs, 1)
         column.addWidget(closing(self))
@@ -56,7 +54,21 @@ class ArmsDialog(QDialog):
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)
 
+    @property
+    def arms(self) -> ArmsPage:
+        """Who acts where."""
+        return self.tabs.page(ARMS, ArmsPage)
+
+    @property
+    def worlds(self) -> WorldsPage:
+        """Named sets of parameters."""
+        return self.tabs.page(WORLDS, WorldsPage)
+
+    @property
+    def types(self) -> TypesPage:
+        """Who may stand under whom."""
+        return self.tabs.page(TYPES, TypesPage)
+
     def turn_to(self, page: str) -> None:
         """Show a page by its name."""
-        if page in self._pages:
-            self.tabs.setCurrentWidget(self._pages[page])
+        self.tabs.turn_to(page)

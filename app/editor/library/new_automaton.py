@@ -7,17 +7,19 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
 from ...core.edits import add_automaton, describe, rename_automaton
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
+from ..forms.late_pages import LatePages
 from ..forms.parts import Complaint
 from ..selection import BehaviorKey
 from .editing import DraftEditing
 from .features_page import FeaturesPage
 from .general_page import GeneralPage
 from .learner_page import LearnerPage
+from .settings_dialog import FEATURES, GENERAL, LEARNER, STATES
 from .states_page import StatesPage
 
 if TYPE_CHECKING:
@@ -50,14 +52,8 @@ class NewAutomatonDialog(QDialog):
     """Name, parameters, states, features and learner of a behavior to come.
 
     Attributes:
-        general, states, features, learner: The pages.
         buttons: OK makes it.
     """
-
-    general: GeneralPage
-    states: StatesPage
-    features: FeaturesPage
-    learner: LearnerPage
 
     def __init__(self, studio: Studio, type_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -65,8 +61,7 @@ class NewAutomatonDialog(QDialog):
         self.setObjectName("new-automaton")
         self.setWindowTitle("New automaton")
         self._studio = studio
-        self.tabs = QTabWidget()
-        self.tabs.setDocumentMode(True)
+        self.tabs = LatePages()
         self.trouble = Complaint(studio.theme)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -80,7 +75,27 @@ class NewAutomatonDialog(QDialog):
         column.addWidget(self.buttons)
         self.resize(620, 460)
         self._begin(type_name, "")
-        self.finished.connect(lambda _: self.learner.validation.close())
+        self.finished.connect(self._stop_validating)
+
+    @property
+    def general(self) -> GeneralPage:
+        """For whom, name, parameters, note."""
+        return self.tabs.page(GENERAL, GeneralPage)
+
+    @property
+    def states(self) -> StatesPage:
+        """What the states hold."""
+        return self.tabs.page(STATES, StatesPage)
+
+    @property
+    def features(self) -> FeaturesPage:
+        """What it looks at."""
+        return self.tabs.page(FEATURES, FeaturesPage)
+
+    @property
+    def learner(self) -> LearnerPage:
+        """How it learns."""
+        return self.tabs.page(LEARNER, LearnerPage)
 
     def _begin(self, type_name: str, name: str) -> None:
         """Begin a draft in the library of a type."""
@@ -89,30 +104,22 @@ class NewAutomatonDialog(QDialog):
         begin = partial(add_automaton, type_name=type_name, name=name or fresh_name(taken, UNNAMED))
         self.draft = DraftEditing(self._studio, begin, type_name)
         types = tuple(node_type.name for node_type in project.types)
-        self._clear()
-        self.general = GeneralPage(self.draft, types)
+        self._stop_validating()
+        self.tabs.offer(
+            {
+                GENERAL: partial(GeneralPage, self.draft, types),
+                STATES: partial(StatesPage, self.draft),
+                FEATURES: partial(FeaturesPage, self.draft),
+                LEARNER: partial(LearnerPage, self.draft),
+            }
+        )
         self.general.type_chosen.connect(self._retype)
-        self.states = StatesPage(self.draft)
-        self.features = FeaturesPage(self.draft)
-        self.learner = LearnerPage(self.draft)
-        for title, page in (
-            ("General", self.general),
-            ("States", self.states),
-            ("Features", self.features),
-            ("Learner", self.learner),
-        ):
-            self.tabs.addTab(page, title)
         self.general.name.selectAll()
         self.general.name.setFocus()
 
-    def _clear(self) -> None:
-        """Take the pages of the draft before away."""
-        old = [page for k in range(self.tabs.count()) if (page := self.tabs.widget(k)) is not None]
-        if old:
-            self.learner.validation.close()
-        self.tabs.clear()
-        for page in old:
-            page.deleteLater()
+    def _stop_validating(self) -> None:
+        for page in self.tabs.made(LearnerPage):
+            page.validation.close()
 
     def _retype(self, type_name: str) -> None:
         """Another type has other behaviors and features: all but the name begins anew."""
@@ -138,7 +145,8 @@ class NewAutomatonDialog(QDialog):
             if problem:
                 self.tabs.setCurrentWidget(self.general)
                 return
-        for page in (self.states, self.features):
+        adding: list[StatesPage | FeaturesPage] = [*self.tabs.made(StatesPage), *self.tabs.made(FeaturesPage)]
+        for page in adding:
             if not page.settle():
                 self.tabs.setCurrentWidget(page)
                 return

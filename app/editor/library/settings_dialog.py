@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLabel, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
 from ..forms.buttons import closing
+from ..forms.late_pages import LatePages
 from ..selection import BehaviorKey
 from .editing import LiveEditing
 from .features_page import FeaturesPage
@@ -53,7 +55,6 @@ class BehaviorDialog(QDialog):
 
     Attributes:
         behavior: Which one.
-        general, states, features, learner: The pages.
     """
 
     def __init__(self, studio: Studio, behavior: BehaviorKey, parent: QWidget) -> None:
@@ -64,14 +65,15 @@ class BehaviorDialog(QDialog):
         self._studio = studio
         self._editing = LiveEditing(studio, behavior.type, behavior.id)
         self._editing.setParent(self)
-        self.general = GeneralPage(self._editing)
-        self.states = StatesPage(self._editing)
-        self.features = FeaturesPage(self._editing)
-        self.learner = LearnerPage(self._editing)
-        self.tabs = QTabWidget()
-        self.tabs.setDocumentMode(True)
-        for title, page in self._pages().items():
-            self.tabs.addTab(page, title)
+        self.tabs = LatePages()
+        self.tabs.offer(
+            {
+                GENERAL: partial(GeneralPage, self._editing),
+                STATES: partial(StatesPage, self._editing),
+                FEATURES: partial(FeaturesPage, self._editing),
+                LEARNER: partial(LearnerPage, self._editing),
+            }
+        )
         self.gone = QLabel("This behavior is gone; undo brings it back.")
         self.gone.setProperty("role", "empty")
         column = QVBoxLayout(self)
@@ -82,21 +84,36 @@ class BehaviorDialog(QDialog):
         self._editing.changed.connect(self._refresh)
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)
-        self.finished.connect(lambda _: self.learner.validation.close())
+        self.finished.connect(self._finished)
         self._refresh()
 
-    def _pages(self) -> dict[str, QWidget]:
-        return {
-            GENERAL: self.general,
-            STATES: self.states,
-            FEATURES: self.features,
-            LEARNER: self.learner,
-        }
+    @property
+    def general(self) -> GeneralPage:
+        """Name, parameters, note."""
+        return self.tabs.page(GENERAL, GeneralPage)
+
+    @property
+    def states(self) -> StatesPage:
+        """What the states hold."""
+        return self.tabs.page(STATES, StatesPage)
+
+    @property
+    def features(self) -> FeaturesPage:
+        """What it looks at."""
+        return self.tabs.page(FEATURES, FeaturesPage)
+
+    @property
+    def learner(self) -> LearnerPage:
+        """How it learns."""
+        return self.tabs.page(LEARNER, LearnerPage)
 
     def turn_to(self, page: str) -> None:
         """Show a page by its name."""
-        if page in self._pages():
-            self.tabs.setCurrentWidget(self._pages()[page])
+        self.tabs.turn_to(page)
+
+    def _finished(self) -> None:
+        for page in self.tabs.made(LearnerPage):
+            page.validation.close()
 
     def _refresh(self) -> None:
         automaton = self._editing.automaton
