@@ -67,7 +67,7 @@ def test_agents_go_on_once_undo_brings_back_what_they_did(hand: Hand) -> None:
     hand.hold(3)
     before = hand.snapshot.nodes["agent-3"]
     assert before.behavior == "Forage"
-    hand.act(lambda: hand.studio.document.do(delete_automaton, "agent", "forage", "Wander"))
+    hand.act(lambda: hand.studio.document.do(delete_automaton, "agent", "forage", "wander"))
     assert any("is gone, so they begin with Wander" in said for said in hand.said)
     hand.wait(lambda: hand.snapshot.nodes["agent-3"].behavior == "Wander")
     hand.act(hand.undo)
