@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QKeySequence, QShortcut
 from PySide6.QtWidgets import QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.amounts import counted
+from ...core.automaton import Basic
 from ...core.wording import example_words
 from ...engine.snapshots import LessonView, Snapshot
 from ..forms.buttons import opens
@@ -200,8 +201,11 @@ class LessonPage(QWidget):
         return shortcut
 
     def _color(self, choice: Choice) -> QColor:
-        key = self._teaching.key
-        return self._studio.colors.color(key.type if key else "", choice.automaton)
+        """What a controller directs has the color of the automata of that name, as on the graph."""
+        key, colors = self._teaching.key, self._studio.colors
+        if isinstance(choice.content, Basic):
+            return colors.of_name(choice.content.behavior)
+        return colors.color(key.type if key else "", choice.automaton)
 
     def _count(self) -> None:
         key = self._teaching.key

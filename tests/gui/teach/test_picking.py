@@ -153,3 +153,13 @@ def test_a_behavior_without_states_shows_all_that_it_could_do(hand: Hand) -> Non
     assert hand.page.buttons["Wander"].isVisible()
     hand.act(lambda: hand.click(hand.page.buttons["Wander"]))
     assert hand.automaton.states[-1].content == Nested("wander")
+
+
+def test_what_a_controller_directs_has_its_own_color_on_the_button_too(hand: Hand) -> None:
+    with hand.qtbot.waitSignal(hand.studio.bridge.place_changed):
+        hand.studio.use_arm("one level")
+    hand.teach("ControlForage", "group-1", type_name="group")
+    colors = {choice.name: hand.page._color(choice).name() for choice in hand.page.choices}
+    assert colors["Forage"] == hand.studio.colors.color("agent", "forage").name()
+    assert colors["ReturnWithBox"] == hand.studio.colors.color("agent", "return-with-box").name()
+    assert colors["ReleaseBox"] == hand.studio.colors.color("agent", "").name()
