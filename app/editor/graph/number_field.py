@@ -4,6 +4,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QSizePolicy
 
+from ..number_box import roomy
+
 #: Decimals that are kept, and those that are shown.
 KEPT, SHOWN = 12, 4
 
@@ -13,6 +15,7 @@ class NumberField(QDoubleSpinBox):
 
     def __init__(self, name: str, low: float, high: float, suffix: str = "") -> None:
         super().__init__()
+        roomy(self)
         self.setAccessibleName(name)
         self.setToolTip(name)
         self.setDecimals(KEPT)

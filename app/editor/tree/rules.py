@@ -15,8 +15,8 @@ from .subject import Subject
 if TYPE_CHECKING:
     from ..studio import Studio
 
-#: So many rules are seen without scrolling.
-MOST_ROWS, ROW = 4, 24
+#: So many rules are seen without scrolling above a tree, and where there is none.
+MOST_ROWS, MOST_ALONE, ROW = 4, 10, 24
 STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
 
@@ -51,7 +51,8 @@ class RuleList(QListWidget):
             item.setToolTip(item.text())
             self.addItem(item)
         self.setCurrentRow(min(row, len(rules) - 1))
-        self.setFixedHeight(ROW * min(MOST_ROWS, len(rules)) + 6)
+        most = MOST_ALONE if subject is None or subject.tree is None else MOST_ROWS
+        self.setFixedHeight(ROW * min(most, len(rules)) + 6)
         self.setVisible(bool(rules))
 
     @property

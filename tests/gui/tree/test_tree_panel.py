@@ -89,6 +89,16 @@ def test_rules_are_listed_in_order_above_the_tree(panel: TreePanel, studio: Stud
     assert shown[-1] == "5.  otherwise → RotateRight"
 
 
+def test_all_rules_of_a_state_that_learned_nothing_are_seen_without_scrolling(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_behavior(BehaviorKey("authored-agent", "goto"), "forward")
+    assert panel.rules.count() == 5
+    last = panel.rules.visualItemRect(panel.rules.item(4))
+    assert panel.rules.viewport().rect().contains(last)
+
+
 def test_rules_are_tried_earlier_by_alt_and_an_arrow_key_and_removed_by_delete(
     panel: TreePanel, studio: Studio, qtbot: QtBot
 ) -> None:
