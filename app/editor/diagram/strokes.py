@@ -44,14 +44,14 @@ def text_width(text: str, pixels: int = TEXT, *, bold: bool = False) -> float:
     return _metrics(pixels, bold).horizontalAdvance(text)
 
 
-def wrapped(text: str, width: float, lines: int, pixels: int = CAPTION) -> list[str]:
+def wrapped(text: str, width: float, lines: int, pixels: int = CAPTION, *, bold: bool = False) -> list[str]:
     """*text* in at most so many lines of a width, with dots where it is cut off."""
     found: list[str] = []
     line = ""
     words = text.split(" ")
     for number, word in enumerate(words):
         longer = f"{line} {word}" if line else word
-        if not line or text_width(longer, pixels) <= width:
+        if not line or text_width(longer, pixels, bold=bold) <= width:
             line = longer
         elif len(found) == lines - 1:
             line = " ".join([line, *words[number:]])
@@ -59,7 +59,7 @@ def wrapped(text: str, width: float, lines: int, pixels: int = CAPTION) -> list[
         else:
             found.append(line)
             line = word
-    return [elided(text, width, pixels) for text in (*found, line)]
+    return [elided(text, width, pixels, bold=bold) for text in (*found, line)]
 
 
 def elided(text: str, width: float, pixels: int = CAPTION, *, bold: bool = False) -> str:

@@ -114,7 +114,7 @@ class NodeItem(QGraphicsItem):
         room = self.box.adjusted(6, 2, -6, -8)
         if self._words.arc is not None:
             room.setRight(room.right() - ARC)
-        lines = wrapped(self._words.title, room.width(), 2, CAPTION)
+        lines = wrapped(self._words.title, room.width(), 2, CAPTION, bold=self._words.is_leaf)
         height = room.height() / (len(lines) + 1)
         painter.setFont(text_font(CAPTION, bold=self._words.is_leaf))
         painter.setPen(self._theme.color("text"))
