@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from ...export.graph import WayKind
 from ..actions import ActionRow
 
 if TYPE_CHECKING:
@@ -36,13 +37,12 @@ class _Able:
         return self.has_edge(studio) and edge is not None and bool(self._panel.editing.prunes_of(edge))
 
     def has_learned(self, studio: Studio) -> bool:
+        """Whether what the selected state learned decides anything: rules may do so before."""
         level, path = self._panel.level_for_new(), self._panel.scene.current
-        return (
-            self.has_state(studio)
-            and level is not None
-            and path is not None
-            and path[-1] in level.automaton.learned
-        )
+        if not self.has_state(studio) or level is None or path is None:
+            return False
+        edges = [edge for edge in level.graph.edges if edge.source == path[-1]]
+        return any(way.is_open and way.kind is not WayKind.RULE for edge in edges for way in edge.ways)
 
     def has_rules(self, studio: Studio) -> bool:
         level, path = self._panel.level_for_new(), self._panel.scene.current

@@ -32,7 +32,7 @@ from .state_item import Path
 if TYPE_CHECKING:
     from ..studio import Studio
 
-#: How far copies stand from their originals.
+#: How far copies stand from all that was there.
 ASIDE = 40.0
 LEARNED_COPIED = "what the states learned came along as rules; the examples stay where they were taught"
 #: What one step does: project in, project and more out.
@@ -232,9 +232,8 @@ class GraphEditing:
             project, made = carry_states(
                 project, self._studio.document.scenario.vocabulary, source, ids, where
             )
-            if source == where:
-                places = {new: _aside(level.base[old]) for old, new in made.items() if old in level.base}
-                project = move_states(project, *where, {**level.base, **places})
+            if source == where and project.layout_of(*where):
+                project = move_states(project, *where, {**level.base, **_beside(level, made)})
             return project, made
 
         if not ids:
@@ -252,5 +251,9 @@ class GraphEditing:
         return [(*level.path, new) for new in made.values()] if made else []
 
 
-def _aside(at: Position) -> Position:
-    return at[0] + ASIDE, at[1] + ASIDE
+def _beside(level: Drawn, made: Mapping[str, str]) -> dict[str, Position]:
+    """Where copies stand, by their ids: as their originals do, but to the right of all that is there."""
+    copied = {new: (level.base[old], level.sizes[old][0]) for old, new in made.items() if old in level.base}
+    left = min((at[0] - width / 2 for at, width in copied.values()), default=0.0)
+    right = level.corners[1][0] + ASIDE
+    return {new: (at[0] + right - left, at[1]) for new, (at, _) in copied.items()}

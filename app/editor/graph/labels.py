@@ -17,9 +17,10 @@ class Label:
 
 
 def label_of(edge: Edge) -> Label:
-    """What stands at an edge: its first way that can be gone, and how many more there are."""
-    ways = sorted(edge.ways, key=lambda way: not way.is_open)
-    first, others = ways[0], len(ways) - 1 + edge.more
+    """What stands at an edge: its first way that can be gone, and how many more of these there are; else its first."""
+    ways = [way for way in edge.ways if way.is_open] or list(edge.ways)
+    untold = 0 if all(way.kind is WayKind.RULE for way in ways) else edge.more  # all of them learned
+    first, others = ways[0], len(ways) - 1 + untold
     more = f", or {others} more" if others else ""
     return Label(first.words + more, _how(edge, first, many=others > 0))
 

@@ -128,8 +128,8 @@ class StateForm(QWidget):
         library = self._studio.document.project.library(self.place[0])
         vocabulary = self._studio.document.scenario.vocabulary
         shown = [
-            Item(rule.id, f"→ {state_words(automaton, rule.target, library)}: {words}", words)
-            for rule in automaton.rules_of(state.id)
+            Item(rule.id, f"{order}.  {words} → {state_words(automaton, rule.target, library)}", words)
+            for order, rule in enumerate(automaton.rules_of(state.id), 1)
             for words in [rule_words(rule, automaton, vocabulary)]
         ]
         self.rules.show_items(shown)

@@ -14,6 +14,7 @@ from app.editor.graph.editing import LEARNED_COPIED
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
+from tests.gui.conftest import PATIENCE
 from tests.gui.graph.author import CTRL, Author
 
 AUTHORED = BehaviorKey("authored-agent", "forage")
@@ -179,14 +180,14 @@ def test_a_rule_is_made_by_keys_alone_and_they_go_on_where_it_goes_on(
     author.add_state("Forward")
     author.link("Start", "Forward")
     author.come_back()
-    assert author.block.add.hasFocus()
+    author.qtbot.waitUntil(author.block.add.hasFocus)
     assert author.block.add.text() == "Only when …"
     author.block.add.click()  # as Enter does in the window
     author.settle()
-    assert author.row(0).what.hasFocus()
+    author.qtbot.waitUntil(author.row(0).what.hasFocus)
     author.choose(author.row(0).what, "DistanceTo(deposit)")
     author.come_back()
-    assert author.row(0).what.hasFocus()
+    author.qtbot.waitUntil(author.row(0).what.hasFocus)
     author.row(0).removed.emit()
     author.settle()
     assert not automaton(author).rules[0].guard
@@ -198,6 +199,7 @@ def test_tab_goes_through_a_rule_as_it_is_read(author: Author) -> None:
     author.test("DistanceTo(deposit)")
     block, row = author.block, author.row(0)
     wanted = [row.what, row.how, row.numbers[0]]
+    author.qtbot.waitUntil(row.numbers[0].isVisible)
     row.what.setFocus()
     found = []
     for _ in wanted:
@@ -218,7 +220,8 @@ def test_keys_stay_on_a_rule_that_is_tried_earlier(author: Author) -> None:
     author.block.earlier.click()
     author.settle()
     moved = next(block for block in author.panel.form.rules.blocks if block.rule.id == last)
-    assert (moved.order, moved.earlier.isEnabled(), moved.later.hasFocus()) == (1, False, True)
+    assert (moved.order, moved.earlier.isEnabled()) == (1, False)
+    author.qtbot.waitUntil(moved.later.hasFocus)
 
 
 def test_the_form_of_a_state_lists_its_rules_in_order_and_alt_with_an_arrow_moves_them(
@@ -230,11 +233,9 @@ def test_the_form_of_a_state_lists_its_rules_in_order_and_alt_with_an_arrow_move
     author.key(Qt.Key.Key_F2)
     rules = author.panel.form.state.rules
     before = [rule.id for rule in automaton(author).rules_of("wander")]
-    assert [
-        item.text().partition(":")[0] for item in rules.list.findItems("", Qt.MatchFlag.MatchContains)
-    ] == [
-        "→ ReturnWithBox",
-        "→ Wander",
+    assert [rules.list.item(row).text() for row in range(rules.list.count())] == [
+        "1.  sees a box → ReturnWithBox",
+        "2.  otherwise → Wander",
     ]
     rules.choose(before[1])
     author.qtbot.keyClick(rules.list, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
@@ -250,9 +251,9 @@ def test_the_keys_begin_in_what_a_new_state_leaves_open(blank: BehaviorKey, auth
     author.add_state("Goto(X)")
     author.come_back()
     form = author.panel.form.state
-    assert form.slots["X"].hasFocus()
+    author.qtbot.waitUntil(form.slots["X"].hasFocus)
     author.qtbot.keyClick(form.slots["X"], Qt.Key.Key_Tab)
-    assert form.name.hasFocus()
+    author.qtbot.waitUntil(form.name.hasFocus)
 
 
 def test_words_at_transitions_between_states_that_were_dropped_do_not_cover_each_other(
@@ -311,6 +312,24 @@ def test_states_are_duplicated_with_their_transitions(author: Author) -> None:
     assert len(author.panel.scene.selected) == 2
 
 
+@pytest.mark.parametrize("by_hand", [False, True])
+def test_duplicates_cover_no_state(author: Author, by_hand: bool) -> None:
+    if by_hand:
+        place = author.at(author.named("Wander"))
+        author.drag(place, place + QPoint(12, 0))
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_D, CTRL)
+    level = author.panel.scene.levels[()]
+    assert len(level.places) == 5
+    boxes = [
+        QRectF(x - width / 2, y - height / 2, width, height)
+        for state, (x, y) in level.places.items()
+        for width, height in [level.sizes[state]]
+    ]
+    assert not [(a, b) for a, b in combinations(boxes, 2) if a.intersects(b)]
+
+
 def test_states_are_copied_into_another_automaton(author: Author, blank: BehaviorKey) -> None:
     author.show(AUTHORED)
     author.click(author.named("Wander"))
@@ -361,6 +380,14 @@ def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
     assert len(studio.document.project.examples_of("authored-agent", "stroll")) == 10
     studio.undo()
     assert studio.document.automaton("authored-agent", "stroll") is None
+
+
+def test_what_rules_say_already_is_not_offered_to_become_rules_again(author: Author, studio: Studio) -> None:
+    author.click(author.named("Wander"))
+    author.trigger("graph.author")
+    author.qtbot.waitUntil(lambda: not studio.actions["graph.author"].isEnabled(), timeout=PATIENCE)
+    author.trigger("graph.unauthor")
+    author.qtbot.waitUntil(studio.actions["graph.author"].isEnabled, timeout=PATIENCE)
 
 
 def test_what_was_learned_becomes_rules_and_back(author: Author, studio: Studio) -> None:

@@ -225,6 +225,7 @@ def test_tab_goes_from_what_a_feature_looks_at_to_what_that_leaves_open(
     dialog.tabs.setCurrentWidget(dialog.features)
     form = dialog.features.new
     choose(form.what, qtbot, "DistanceTo(target)")
+    qtbot.waitUntil(form.slots.boxes["target"].isVisible)
     qtbot.keyClick(form.what.field, Qt.Key.Key_Tab)
     assert dialog.focusWidget() is form.slots.boxes["target"]
     qtbot.keyClick(dialog.focusWidget(), Qt.Key.Key_Tab)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from app.core.automaton import START, Nested, Rule, State
 from app.core.check.scope import Scope, scopes
 from app.core.conditions import AtMost, Equals, InArc
+from app.core.edits import author_learned
 from app.core.features import FlagUp, Ground, Operation, Parameter, Sense, Statistic, TicksInState
 from app.core.library import Library
 from app.editor.graph.labels import label_of, tip_of
@@ -81,6 +82,15 @@ def test_an_edge_says_when_and_how_sure() -> None:
     rules = {(e.source, e.target): label_of(e) for e in graph_of(wander(), Library({}), vocabulary()).edges}
     assert rules["forward", "right"].how == "rule 2"
     assert rules["forward", "right"].when == "by chance, 5%"
+
+
+def test_where_rules_decide_an_edge_does_not_count_what_was_learned_below_them() -> None:
+    before = author_learned(project(), AGENT, "goto", START)
+    graph = graph_of(before.library(AGENT).get("goto"), Library({}), vocabulary())
+    for edge in graph.edges:
+        if edge.source == START:
+            rules = len(edge.rules)
+            assert label_of(edge).when.endswith(f"or {rules - 1} more") == (rules > 1)
 
 
 def test_a_tip_tells_every_way_with_its_numbers() -> None:
