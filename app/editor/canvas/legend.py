@@ -42,7 +42,7 @@ class Legend(QFrame):
         self._shown: tuple[object, ...] = ()
         self._rows: list[tuple[Entry, int]] = []
         self._room = 10_000
-        self._seen: set[Entry] = set()
+        self._seen: dict[Entry, int] = {}  # which of them came first: they stand in this order
         self._attached = False
         self.buttons: dict[str, QToolButton] = {}
         self._layout = QHBoxLayout(self)
@@ -77,14 +77,16 @@ class Legend(QFrame):
 
     def begin(self) -> None:
         """Forget who was there: another world, or other colors."""
-        self._seen, self._attached, self._shown = set(), False, ()
+        self._seen, self._attached, self._shown = {}, False, ()
 
     def tell(self, coloring: Coloring, room: int) -> None:
         """Show who there is, with counts, in at most so many pixels."""
         there = list(zip(coloring.entries, coloring.counts, strict=True))
-        self._seen |= {entry for entry, count in there if count}  # those of a moment ago keep their places
+        for entry, count in there:
+            if count:
+                self._seen.setdefault(entry, len(self._seen))  # those of a moment ago keep their places
         rows = [(entry, count) for entry, count in there if entry in self._seen]
-        rows.sort(key=lambda row: row[0].shape)
+        rows.sort(key=lambda row: (row[0].shape, self._seen[row[0]]))
         if coloring.attached or self._attached:
             self._attached = True
             rows.append(

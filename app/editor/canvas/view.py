@@ -17,10 +17,8 @@ from .coloring import ATTACHED, Coloring, color_agents
 from .frame import Frame
 from .group_painting import controller_colors
 from .hand import Choice
-from .hovering import Covers
 from .ink import Ink
-from .legend import Legend
-from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
+from .on_top import EDGE, OnTop
 from .painting import paint
 from .picture import Picture
 from .rows import camera_rows, color_rows, shown_rows
@@ -31,8 +29,6 @@ from .trails import Trails
 if TYPE_CHECKING:
     from ..studio import Studio
 
-#: Pixels between what lies on the canvas and its edge.
-EDGE = 10
 #: Milliseconds between two looks at the counts of the legend.
 COUNTING = 200
 
@@ -60,8 +56,7 @@ class WorldCanvas(Surface):
         self._picture = Picture(self, self._paint)
         self._soon = Later(self, self._paint_anew)  # never in one turn with what else there is to do
         self._coloring: tuple[Scene, object, Coloring] | None = None
-        self._hidden_notice = ""
-        self._make_overlays()
+        self.on_top = OnTop(studio, self)
         self._counting = Later(self, self._count, COUNTING)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 180)
@@ -69,21 +64,6 @@ class WorldCanvas(Surface):
         self.setProperty("framed", True)
         self.setToolTipDuration(0)
         self._connect()
-
-    def _make_overlays(self) -> None:
-        studio = self._studio
-        self.badge = Badge(studio, self)
-        self.camera_buttons = CameraButtons(studio, self)
-        self.legend = Legend(studio, self.looking, self)
-        self.failure = Banner(studio, self, "failure")
-        self.moment = Banner(studio, self, "moment")
-        self.prompt = Banner(studio, self, "prompt")
-        self.notice = Banner(studio, self, "notice")
-        self._covers = Covers(self)
-        self._covers.entered.connect(self.forget_mouse)
-        banners = self.failure, self.moment, self.prompt, self.notice
-        for part in (self.badge, self.camera_buttons, self.legend, *banners):
-            part.installEventFilter(self._covers)
 
     def _connect(self) -> None:
         studio = self._studio
@@ -95,7 +75,7 @@ class WorldCanvas(Surface):
         studio.colors.changed.connect(self._recolor)
         studio.theme.changed.connect(self._dress)
         studio.moment_wanted.connect(self._moment_wanted)
-        studio.teaching.changed.connect(self._refresh_badge)
+        studio.teaching.changed.connect(self.on_top.refresh_badge)
         studio.teaching.choose_requested.connect(self._choose_target)
         studio.teaching.choose_ended.connect(self.hand.stop_asking)
         studio.teaching.follow_requested.connect(self._turn_to)
@@ -149,7 +129,7 @@ class WorldCanvas(Surface):
 
     def _snapshot_changed(self, snapshot: Snapshot) -> None:
         self.hand.settle(snapshot)
-        self._refresh_notices(snapshot)
+        self.on_top.tell(snapshot)
         if not self.is_live:
             return
         scene = live(snapshot)
@@ -170,9 +150,9 @@ class WorldCanvas(Surface):
         snapshot = self._studio.snapshot
         self.hovering.nothing()
         self.hand.let_go()
-        self.legend.begin()
+        self.on_top.legend.begin()
         self.hand.is_live = True
-        self.moment.show_notice(None)
+        self.on_top.say(self.on_top.moment, "")
         if snapshot is not None:
             self.scene = live(snapshot)
             self.looking.begin(self.scene)
@@ -180,27 +160,27 @@ class WorldCanvas(Surface):
 
     def _mode_changed(self) -> None:
         self.back_to_now()
-        self._refresh_badge()
+        self.on_top.refresh_badge()
 
     def _opened(self) -> None:
         self.scene, self.hand.is_live = None, True
         self.hovering.nothing()
         self._trails = Trails()
         self.hand.let_go()
-        self._refresh_badge()
+        self.on_top.refresh_badge()
         self._told()
 
     def _selected(self) -> None:
         if not self._studio.selection.nodes and self.looking.follows:
             self.looking.follow(on=False)
-        self._refresh_badge()
+        self.on_top.refresh_badge()
         if self.scene is not None and self.is_live:
             self.looking.see(self.scene, self._studio.selection.nodes)
         self.touch()
 
     def _recolor(self) -> None:
         self._coloring = None
-        self.legend.begin()
+        self.on_top.legend.begin()
         self._count()
         self.touch()
 
@@ -228,7 +208,7 @@ class WorldCanvas(Surface):
         self.scene = scene
         self.looking.look_aside(scene)
         words = f"{caption}: {scene.place.called(node)}, tick {scene.tick:,}"
-        self.moment.show_notice(Notice(words, button="Back to now (Esc)", act=self.back_to_now))
+        self.on_top.say(self.on_top.moment, words, "Back to now (Esc)", self.back_to_now)
         self._changed_scene()
 
     def back_to_now(self) -> None:
@@ -236,7 +216,7 @@ class WorldCanvas(Surface):
         if self.is_live:
             return
         self.hand.is_live = True
-        self.moment.show_notice(None)
+        self.on_top.say(self.on_top.moment, "")
         self.looking.look_back()
         self.hovering.nothing()
         snapshot = self._studio.snapshot
@@ -244,10 +224,9 @@ class WorldCanvas(Surface):
         self._changed_scene()
 
     def _changed_scene(self) -> None:
-        self.legend.begin()
+        self.on_top.legend.begin()
         self._count()
         self.heed_escape()
-        self._place_overlays()
         self.hover()
         self.touch()
 
@@ -322,68 +301,30 @@ class WorldCanvas(Surface):
         self._ink.write(painter, at, words, QColor(colors.dim), 13, centered=True)
 
     def _count(self) -> None:
-        if self.scene is not None:
-            self.legend.tell(self._colored(self.scene), self.width() - 2 * EDGE)
-            self._place_overlays()
-        self.legend.setVisible(self.scene is not None)
+        self.on_top.count(None if self.scene is None else self._colored(self.scene))
 
     def _told(self) -> None:
         if self._coloring is not None and self._coloring[1] is not self.looking.color_by:
-            self.legend.begin()
+            self.on_top.legend.begin()
         self._count()
         self._studio.actions.refresh()
         self.touch()
 
     def _dress(self) -> None:
-        for part in (self.legend, self.failure, self.moment, self.prompt, self.notice, self.card):
-            part.dress()
-        self._refresh_badge()
+        self.on_top.dress()
+        self.card.dress()
         self._count()
         self.hover()
         self.touch()
 
-    # --------------------------------------------------------------------------------------------- overlays
-
-    def _refresh_badge(self) -> None:
-        self.badge.refresh()
-        self._place_overlays()
-
-    def _refresh_notices(self, snapshot: Snapshot) -> None:
-        failed = snapshot.failure
-        words = f"The world stands still: {failed}" if failed else ""
-        reset = self._studio.actions["run.reset"].trigger if failed else None
-        self.failure.show_notice(Notice(words, True, "Reset", reset) if failed else None)
-        notice = snapshot.notice
-        shown = notice and notice != self._hidden_notice
-        words = notice[:1].upper() + notice[1:]
-        self.notice.show_notice(Notice(words, button="Hide", act=self._hide_notice) if shown else None)
-        self._place_overlays()
-
-    def _hide_notice(self) -> None:
-        snapshot = self._studio.snapshot
-        self._hidden_notice = "" if snapshot is None else snapshot.notice
-        if snapshot is not None:
-            self._refresh_notices(snapshot)
-
-    def _place_overlays(self) -> None:
-        width, height = self.width(), self.height()
-        self.badge.move(EDGE, EDGE)
-        self.camera_buttons.move(width - SIDE - EDGE, EDGE)
-        self.legend.move(EDGE, height - self.legend.height() - EDGE)
-        top = EDGE + 40
-        for banner in (self.failure, self.prompt, self.moment, self.notice):
-            if banner.notice is not None:
-                banner.fit_into(max(width - 2 * (SIDE + 2 * EDGE), 160))
-                banner.move((width - banner.width()) // 2, top)
-                top += banner.height() + 8
+    # --------------------------------------------------------------------------------------------- events
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The camera keeps the middle, or the whole world."""
-        bottom = 2.0 * EDGE + self.legend.sizeHint().height()
-        margins = Margins(left=EDGE, top=EDGE, right=SIDE + 2.0 * EDGE, bottom=bottom)
+        margins = Margins(left=EDGE, top=EDGE, right=self.on_top.beside, bottom=self.on_top.below)
         self.looking.resize(self.width(), self.height(), margins)
         self._counting.hurry()
-        self._place_overlays()
+        self.on_top.place()
         self.touch()
         super().resizeEvent(event)
 
@@ -406,8 +347,7 @@ class WorldCanvas(Surface):
     def _hand_changed(self) -> None:
         choice = self.hand.choice
         words = "" if choice is None else choice.prompt[:1].upper() + choice.prompt[1:]
-        self.prompt.show_notice(Notice(words, button="Cancel (Esc)", act=self.hand.cancel) if words else None)
-        self._place_overlays()
+        self.on_top.say(self.on_top.prompt, words, "Cancel (Esc)", self.hand.cancel)
         self.heed_escape()
         self._set_cursor()
         self.touch()

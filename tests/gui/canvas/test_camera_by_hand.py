@@ -20,7 +20,7 @@ def test_all_of_the_world_is_in_view_at_first_and_after_a_change_of_size(pilot: 
         right, bottom = camera.to_view(200.0, 0.0)
         assert min(left, top) >= 0
         assert right <= pilot.canvas.width()
-        assert bottom <= pilot.canvas.height() - pilot.canvas.legend.height()
+        assert bottom <= pilot.canvas.height() - pilot.canvas.on_top.legend.height()
 
 
 def test_the_wheel_zooms_around_the_mouse_and_fit_shows_all_again(pilot: Pilot) -> None:
@@ -86,7 +86,7 @@ def test_a_double_click_follows_an_agent(pilot: Pilot) -> None:
 def test_the_buttons_zoom(pilot: Pilot, action: str, *, larger: bool) -> None:
     before = pilot.canvas.looking.camera.scale
     place = ("canvas.zoom_in", "canvas.zoom_out").index(action)
-    button = pilot.canvas.camera_buttons.findChildren(QToolButton)[place]
+    button = pilot.canvas.on_top.camera_buttons.findChildren(QToolButton)[place]
     pilot.qtbot.mouseClick(button, LEFT)
     assert (pilot.canvas.looking.camera.scale > before) is larger
 

@@ -80,8 +80,8 @@ def test_what_lies_on_the_world_does_not_have_it_painted_anew(
     pilot.picture()
     painted: list[object] = []
     monkeypatch.setattr("app.editor.canvas.view.paint", lambda *given: painted.append(given))
-    pilot.canvas.legend.update()
-    pilot.canvas.badge.update()
+    pilot.canvas.on_top.legend.update()
+    pilot.canvas.on_top.badge.update()
     pilot.canvas.update()
     pilot.window.repaint()
     assert painted == []

@@ -27,8 +27,8 @@ def show_example(pilot: Pilot) -> int:
 
 def test_the_legend_counts_and_a_click_lights_those_up(pilot: Pilot) -> None:
     pilot.send(Step(200))
-    pilot.wait(lambda: "Wander" in pilot.canvas.legend.buttons)
-    button = pilot.canvas.legend.buttons["Wander"]
+    pilot.wait(lambda: "Wander" in pilot.canvas.on_top.legend.buttons)
+    button = pilot.canvas.on_top.legend.buttons["Wander"]
     coloring = pilot.frame.coloring
     counts = {e.words: n for e, n in zip(coloring.entries, coloring.counts, strict=True)}
     pilot.wait(lambda: button.text() == f"Wander {counts['Wander']}")
@@ -42,7 +42,7 @@ def test_the_legend_counts_and_a_click_lights_those_up(pilot: Pilot) -> None:
 
 
 def test_what_colors_tell_is_switched_in_the_legends_menu_and_remembered(pilot: Pilot) -> None:
-    actions = pilot.canvas.legend.settings.menu().actions()
+    actions = pilot.canvas.on_top.legend.settings.menu().actions()
     basic = next(action for action in actions if "basic" in action.text())
     basic.trigger()
     assert pilot.frame.coloring.entries
@@ -95,47 +95,47 @@ def test_hovering_over_a_box_tells_how_many_hold_it(pilot: Pilot) -> None:
 
 
 def test_the_badge_says_what_the_session_is_for(pilot: Pilot) -> None:
-    assert not pilot.canvas.badge.isVisible()
+    assert not pilot.canvas.on_top.badge.isVisible()
     pilot.send(Teach("agent", "forage", ("agent-17",)))
-    pilot.wait(pilot.canvas.badge.isVisible)
-    assert pilot.canvas.badge.text() == "● Teaching agent 17"
+    pilot.wait(pilot.canvas.on_top.badge.isVisible)
+    assert pilot.canvas.on_top.badge.text() == "● Teaching agent 17"
     pilot.choose("teach.test")
-    pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing Forage")
+    pilot.wait(lambda: pilot.canvas.on_top.badge.text() == "▷ Testing Forage")
     pilot.send(RunArm())
-    pilot.wait(lambda: not pilot.canvas.badge.isVisible())
+    pilot.wait(lambda: not pilot.canvas.on_top.badge.isVisible())
 
 
 def test_a_long_name_leaves_room_for_the_world_and_for_other_names(pilot: Pilot) -> None:
     name = "A name that somebody gives who says everything"
     pilot.studio.document.do(rename_automaton, "agent", "forage", name)
     pilot.send(Teach("agent", "forage", ("agent-17",)))
-    legend = pilot.canvas.legend
+    legend = pilot.canvas.on_top.legend
     pilot.wait(lambda: name in legend.buttons)
     assert "…" in legend.buttons[name].text()
     assert legend.buttons[name].toolTip().startswith(name)
     pilot.choose("teach.test")
-    pilot.wait(lambda: pilot.canvas.badge.text() == "▷ Testing A name that somebody gives who…")
+    pilot.wait(lambda: pilot.canvas.on_top.badge.text() == "▷ Testing A name that somebody gives who…")
 
 
 def test_a_failure_is_told_with_a_way_out(pilot: Pilot) -> None:
     failed = replace(pilot.snapshot, failure="after_tick of foraging: division by zero")
     pilot.studio.bridge.snapshot_changed.emit(failed)
-    assert pilot.canvas.failure.isVisible()
-    assert "after_tick" in pilot.canvas.failure.words.text()
-    assert pilot.canvas.failure.button.text() == "Reset"
+    assert pilot.canvas.on_top.failure.isVisible()
+    assert "after_tick" in pilot.canvas.on_top.failure.words.text()
+    assert pilot.canvas.on_top.failure.button.text() == "Reset"
     place = pilot.snapshot.place
-    pilot.qtbot.mouseClick(pilot.canvas.failure.button, LEFT)
-    pilot.wait(lambda: pilot.snapshot.place is not place and not pilot.canvas.failure.isVisible())
+    pilot.qtbot.mouseClick(pilot.canvas.on_top.failure.button, LEFT)
+    pilot.wait(lambda: pilot.snapshot.place is not place and not pilot.canvas.on_top.failure.isVisible())
 
 
 def test_a_notice_of_the_engine_can_be_hidden(pilot: Pilot) -> None:
     told = replace(pilot.snapshot, notice="compiling the kernel; until then ticks are slower")
     pilot.studio.bridge.snapshot = told
     pilot.studio.bridge.snapshot_changed.emit(told)
-    assert pilot.canvas.notice.isVisible()
-    pilot.qtbot.mouseClick(pilot.canvas.notice.button, LEFT)
+    assert pilot.canvas.on_top.notice.isVisible()
+    pilot.qtbot.mouseClick(pilot.canvas.on_top.notice.button, LEFT)
     pilot.studio.bridge.snapshot_changed.emit(told)
-    assert not pilot.canvas.notice.isVisible()
+    assert not pilot.canvas.on_top.notice.isVisible()
 
 
 # ----------------------------------------------------------------------------------------------------- moments
@@ -145,9 +145,9 @@ def test_a_stored_moment_is_shown_until_the_user_goes_back_to_now(pilot: Pilot) 
     tick = show_example(pilot)
     assert not pilot.is_live()
     assert pilot.frame.scene.tick == tick
-    assert pilot.canvas.moment.isVisible()
-    assert pilot.canvas.moment.words.text().startswith("The moment of example")
-    pilot.qtbot.mouseClick(pilot.canvas.moment.button, LEFT)
+    assert pilot.canvas.on_top.moment.isVisible()
+    assert pilot.canvas.on_top.moment.words.text().startswith("The moment of example")
+    pilot.qtbot.mouseClick(pilot.canvas.on_top.moment.button, LEFT)
     assert pilot.is_live()
     assert pilot.frame.scene.tick == 0
 
@@ -180,13 +180,13 @@ def test_an_entity_is_chosen_by_a_click_and_others_are_refused_in_words(pilot: P
     chosen: list[int] = []
     pilot.canvas.entity_chosen.connect(chosen.append)
     pilot.canvas.choose_entity("click a box", lambda entity: entity >= 50)
-    assert pilot.canvas.prompt.isVisible()
+    assert pilot.canvas.on_top.prompt.isVisible()
     pilot.click(pilot.at(pilot.alone()))
     assert chosen == []
     assert pilot.said[-1] == "this cannot be chosen; click a box"
     pilot.click(pilot.at(52))
     assert chosen == [52]
-    assert not pilot.canvas.prompt.isVisible()
+    assert not pilot.canvas.on_top.prompt.isVisible()
     assert pilot.selected == []
 
 
