@@ -94,8 +94,7 @@ class Controls(QWidget):
     def show_look(self, look: Look, study: Study) -> None:
         """Show how far the experiment that runs is."""
         self.tell(words_of(look, study))
-        if look.progress is not None:
-            self.bar.setValue(round(1000 * look.progress.share))
+        self.bar.setValue(0 if look.progress is None else round(1000 * look.progress.share))
 
     def show_other(self, look: Look, study: Study) -> None:
         """Show how far an experiment is that runs while another one is shown."""

@@ -12,6 +12,8 @@ def words_of(look: Look, study: Study) -> str:
     if look.stage is Stage.FAILED or look.notice:
         return look.notice
     progress = look.progress
+    if look.stage is Stage.BEGINNING and progress is None:
+        return f"beginning: {counted(study.total, 'run')} are to be there"
     done = 0 if progress is None else progress.done
     runs = f"{done:,} of {counted(study.total, 'run')}"
     match look.stage:

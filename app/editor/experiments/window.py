@@ -200,7 +200,7 @@ class ExperimentsWindow(QWidget):
             self.controls.show_look(look, study)
             if look.is_over:
                 self._read()
-            else:
+            elif look.progress is not None:  # until it has begun, what was there is shown
                 self._show_kept(Kept(look.found, self.running.rows), study)
         elif look.is_over:
             self._read()

@@ -95,8 +95,15 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     before = made(window)
     look = window.running.look
+    seen = []
+    window.running.changed.connect(
+        lambda: seen.append((window.pages.runs.model.rowCount(), window.controls.bar.value()))
+    )
     qtbot.mouseClick(window.controls.run, Qt.MouseButton.LeftButton)
+    assert seen == [(8, 0)], "while runs begin, those that are there stay in sight, and the bar says none"
+    assert told(window, "Beginning: 8 runs")
     qtbot.waitUntil(lambda: finished(window) and window.running.look is not look, timeout=3 * PATIENCE)
+    assert min(rows for rows, _ in seen) == 8
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     assert made(window) == before
 
