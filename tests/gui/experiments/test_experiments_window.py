@@ -95,7 +95,7 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     before = made(window)
     look = window.running.look
-    seen = []
+    seen: list[tuple[int, int]] = []
     window.running.changed.connect(
         lambda: seen.append((window.pages.runs.model.rowCount(), window.controls.bar.value()))
     )
