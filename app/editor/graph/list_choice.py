@@ -24,7 +24,8 @@ class ListChoice(QComboBox):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Open the list; letters are for finding something in it."""
-        if event.key() in STEPS or event.text().strip():
+        letter = event.text().strip()
+        if event.key() in STEPS or (letter and letter.isprintable()):
             self.showPopup()
             event.accept()
         else:

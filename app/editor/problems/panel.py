@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTreeView, QVBoxLayout, QWidget
 
 from ...core.check.fixes import Fix
@@ -20,8 +20,9 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 NONE = "No problems: everything is bound, can be reached, and has something to decide by."
-#: Pixels that columns get at most; those of problems get the rest.
-WIDEST = {PLACE: 170, FIX: 190}
+#: Pixels that columns get in any case, if they need them, and their share of a wide list; problems get the rest.
+GRANTED = {PLACE: 170, FIX: 190}
+SHARE = 0.25
 
 
 class ProblemsPanel(QWidget):
@@ -57,7 +58,7 @@ class ProblemsPanel(QWidget):
         column.addWidget(self.list, 1)
         column.addWidget(self.more)
         self.setFocusProxy(self.list)
-        self._prepare_columns()
+        self.list.prepare_columns()
         studio.actions.add(problem_rows(self))
         self.findings.changed.connect(self._show)
         studio.closing.connect(self.findings.close)
@@ -69,20 +70,6 @@ class ProblemsPanel(QWidget):
         self.list.menu_wanted.connect(lambda spot: self.menu().popup(spot))
         self._show()
 
-    def _prepare_columns(self) -> None:
-        header = self.list.header()
-        header.setStretchLastSection(False)
-        header.setSectionResizeMode(WHAT, QHeaderView.ResizeMode.Stretch)
-        for column in WIDEST:
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
-
-    def _size_columns(self) -> None:
-        """No wider than what stands in them: what is wrong takes more words than where it is, and what mends it."""
-        header = self.list.header()
-        for column, widest in WIDEST.items():
-            needed = max(header.sectionSizeHint(column), self.list.sizeHintForColumn(column))
-            header.resizeSection(column, min(needed, widest))
-
     def _show(self) -> None:
         found = self.findings.found
         row = self.list.currentIndex().row()
@@ -92,7 +79,7 @@ class ProblemsPanel(QWidget):
             self.list.setCurrentIndex(self.model.index(min(max(row, 0), self.model.rowCount() - 1), WHAT))
         self.empty.setVisible(not count and self._studio.is_open)
         self.list.setVisible(bool(count))
-        self._size_columns()
+        self.list.fit_columns()
         self.more.setText(f"and {found.more} more" if found.more else "")
         self.more.setVisible(bool(found.more))
         self.title_changed.emit(f"Problems {count}" if count else "Problems")
@@ -214,6 +201,25 @@ class ProblemList(QTreeView):
         self.setAllColumnsShowFocus(True)
         self.setMouseTracking(True)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+
+    def prepare_columns(self) -> None:
+        """Once the model is there, let problems have what room is left."""
+        header = self.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(WHAT, QHeaderView.ResizeMode.Stretch)
+        for column in GRANTED:
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
+
+    def fit_columns(self) -> None:
+        """No column wider than what stands in it: what is wrong takes more words than where it is, and what mends it."""
+        for column, granted in GRANTED.items():
+            needed = max(self.header().sectionSizeHint(column), self.sizeHintForColumn(column))
+            self.header().resizeSection(column, min(needed, max(granted, int(SHARE * self.width()))))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In another width, columns may have other widths."""
+        super().resizeEvent(event)
+        self.fit_columns()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter shows the place, Ctrl+Enter mends."""

@@ -423,6 +423,16 @@ def test_what_mends_a_problem_is_offered_at_its_place(author: Author, studio: St
     assert studio.document.history.undo_text == "Remove the rule"
 
 
+def test_escape_closes_the_form_from_a_list_of_choices_too(blank: BehaviorKey, author: Author) -> None:
+    author.add_state("Goto(X)")
+    author.come_back()
+    slot = author.panel.form.state.slots["X"]
+    author.qtbot.waitUntil(slot.hasFocus)
+    author.qtbot.keyClick(slot, Qt.Key.Key_Escape)
+    assert not slot.view().isVisible()
+    assert not author.panel.form.isVisible()
+
+
 def test_escape_closes_the_form_from_the_graph_as_from_its_fields(author: Author) -> None:
     form = author.panel.form
     author.click(author.named("Wander"))

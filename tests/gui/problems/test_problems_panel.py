@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import Basic, Nested
-from app.core.edits import add_state, bind_state, disable_examples, replace_arm
+from app.core.edits import add_state, bind_state, disable_examples, rename_state, replace_arm
 from app.core.features import Ground
 from app.editor.problems.model import FIX, PLACE, WHAT
 from app.editor.problems.panel import ProblemsPanel
@@ -168,10 +168,15 @@ def test_what_is_wrong_can_be_read_in_a_small_window(
     studio: Studio, panel: ProblemsPanel, qtbot: QtBot
 ) -> None:
     panel.resize(620, 200)
-    add_idle_state(studio, panel, qtbot)
+    state = add_idle_state(studio, panel, qtbot)
     row = next(k for k, text in enumerate(texts(panel)) if "never entered" in text)
     columns = {column: panel.list.columnWidth(column) for column in (WHAT, PLACE, FIX)}
     for column in (PLACE, FIX):
         assert columns[column] >= panel.list.sizeHintForColumn(column)
     assert columns[WHAT] > columns[PLACE] + columns[FIX]
+    studio.document.do(rename_state, *WHERE, state, "a state with a name that is long enough to be cut")
+    qtbot.waitUntil(lambda: "cut" in panel.model.index(row, PLACE).data(), timeout=PATIENCE)
+    assert panel.list.columnWidth(PLACE) < panel.list.sizeHintForColumn(PLACE)
+    panel.resize(1900, 200)
+    qtbot.waitUntil(lambda: panel.list.columnWidth(PLACE) >= panel.list.sizeHintForColumn(PLACE))
     assert panel.model.index(row, FIX).data() == "Remove the state"
