@@ -16,7 +16,7 @@ from ..engine.snapshots import Mode, Refused, Snapshot
 from ..sim.scenario import Scenario
 from .actions import Actions
 from .behavior_colors import BehaviorColors, Places
-from .bridge import Bridge, MoveMark
+from .bridge import Bridge, MoveMark, PickMark
 from .document import Document
 from .relearning import Relearning
 from .selection import BehaviorKey, Selection
@@ -252,7 +252,8 @@ class Studio(QObject):
         last = self.document.history.last
         if last is None:
             return
-        if self.bridge.can_take_back(last.mark):
+        if isinstance(last.mark, PickMark) and self.bridge.can_take_back(last.mark):
+            self.teaching.turn_back(last.mark.recorded)
             self._undo_ticket = self.bridge.take_back()
             return
         edit = self.document.undo()

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ...core.automaton import Automaton, Content
+from ...core.edits import Recorded
 from ...core.naming import slug
 from ...engine.commands import Others, Pick, RunArm, ShouldNotHaveLeft, Step, Teach, Test
 from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot, TakenBack
@@ -265,7 +266,16 @@ class Teaching(QObject):
         if len(nodes) < 2:
             return
         at = nodes.index(self.node) if self.node in nodes else -1
-        turn = nodes[(at + 1) % len(nodes)]
+        self._turn_to(nodes[(at + 1) % len(nodes)])
+
+    def turn_back(self, recorded: Recorded) -> None:
+        """A pick is taken back: the next one is for the same node, whoever's turn it was meanwhile."""
+        lesson, node = self.lesson, recorded.examples[0].node if recorded.examples else ""
+        if lesson is not None and node in lesson.plan.nodes and node != self.node:
+            self._turn_to(node)
+
+    def _turn_to(self, turn: str) -> None:
+        """It is a node's turn: panels show it, and the camera finds it."""
         rest = [node for node in self._studio.selection.nodes if node != turn]
         self._turn = turn
         self._studio.selection.select_nodes((*rest, turn))

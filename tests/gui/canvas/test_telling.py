@@ -41,6 +41,20 @@ def test_the_legend_counts_and_a_click_lights_those_up(pilot: Pilot) -> None:
     assert not pilot.is_lit()
 
 
+def test_entries_of_the_legend_keep_their_places(pilot: Pilot) -> None:
+    pilot.send(Step(200))
+    legend = pilot.canvas.on_top.legend
+    pilot.wait(lambda: "Wander" in legend.buttons)
+    coloring = pilot.frame.coloring
+    legend.tell(coloring, 2_000)
+    before = list(legend.buttons)
+    other = replace(
+        coloring, entries=coloring.entries[::-1], counts=coloring.counts[::-1]
+    )  # of another program
+    legend.tell(other, 2_000)
+    assert list(legend.buttons) == before
+
+
 def test_what_colors_tell_is_switched_in_the_legends_menu_and_remembered(pilot: Pilot) -> None:
     actions = pilot.canvas.on_top.legend.settings.menu().actions()
     basic = next(action for action in actions if "basic" in action.text())

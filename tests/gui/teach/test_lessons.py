@@ -55,6 +55,18 @@ def test_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
     assert set(hand.studio.selection.nodes) == {"agent-3", "agent-7"}
 
 
+def test_after_undo_it_is_the_turn_of_whose_pick_was_taken_back(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3", "agent-7")
+    hand.pick("RotateLeft")
+    hand.key(Qt.Key.Key_Tab)
+    hand.pick("RotateLeft")
+    hand.undo()
+    assert hand.studio.teaching.node == "agent-7"
+    hand.undo()
+    assert hand.studio.teaching.node == "agent-3"
+    assert hand.page.turn.text() == "1 of 2: Agent 3"
+
+
 def test_others_stand_still_or_run_by_a_switch(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     hand.hold(5)
