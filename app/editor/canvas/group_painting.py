@@ -71,6 +71,22 @@ def link_ends(frame: Frame, which: NDArray[np.int64]) -> NDArray[np.float64]:
     return np.stack((x[parent], y[parent], x[child], y[child]), axis=1)
 
 
+def marked(
+    frame: Frame, links: NDArray[np.int64], ends: NDArray[np.float64]
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Rows of the controllers at either end of links, and where their marks are, pixels: controllers x (x, y).
+
+    Args:
+        ends: Of the links.
+    """
+    forest = forest_of(frame.scene.place)
+    child = forest.child[links]
+    under = child < forest.controllers
+    rows = np.concatenate((forest.parent[links], child[under]))
+    shown, first = np.unique(rows, return_index=True)
+    return shown, np.concatenate((ends[:, :2], ends[under, 2:]))[first]
+
+
 def controller_colors(frame: Frame, by: ColorBy, colors: BehaviorColors) -> list[QColor]:
     """The color of each controller: of the behavior that it shows, or of its group where groups are told apart."""
     forest, doing = forest_of(frame.scene.place), frame.scene.doing
@@ -144,10 +160,10 @@ def _paint_links(painter: QPainter, frame: Frame, links: NDArray[np.int64], colo
         draw_lines(painter, ends[places])
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QPen(QColor(frame.palette.canvas), 1.0))
-    shown, first = np.unique(parents, return_index=True)
+    shown, at = marked(frame, links, ends)
     for name, places in _by_color(shown, colors).items():
         painter.setBrush(QColor(name))
-        painter.drawRects([_mark(*ends[k, :2].tolist()) for k in first[places].tolist()])
+        painter.drawRects([_mark(*at[k].tolist()) for k in places])
 
 
 def _mark(x: float, y: float) -> QRectF:

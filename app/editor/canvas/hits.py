@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ...sim.columns import AGENT
 from .frame import Frame, load_radius
-from .group_painting import MARK, hull_corners, link_ends, shown_hulls, shown_links
+from .group_painting import MARK, hull_corners, link_ends, marked, shown_hulls, shown_links
 from .groups import forest_of
 
 #: Pixels: how near is near enough, to an agent, to anything else, and to a link.
@@ -70,9 +70,10 @@ def _link_at(frame: Frame, x: float, y: float) -> int:
         return -1
     ends = link_ends(frame, links)
     parent = forest_of(frame.scene.place).parent[links]
-    mark = _nearest(np.hypot(ends[:, 0] - x, ends[:, 1] - y), MARK + 4.0)
+    rows, at = marked(frame, links, ends)
+    mark = _nearest(np.hypot(at[:, 0] - x, at[:, 1] - y), MARK + 4.0)
     if mark >= 0:
-        return int(parent[mark])
+        return int(rows[mark])
     link = _nearest(_away_from(ends, x, y), NEAR_LINK)
     return int(parent[link]) if link >= 0 else -1
 

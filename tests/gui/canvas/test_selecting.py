@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QMenu
 
 from app.core.edits import set_hierarchy
 from app.core.project import LevelTable
-from app.editor.canvas.group_painting import hull_corners, link_ends, shown_hulls, shown_links
+from app.editor.canvas.group_painting import hull_corners, link_ends, marked, shown_hulls, shown_links
 from tests.gui.canvas.pilot import CONTROL, RIGHT, SHIFT, Pilot
 
 
@@ -70,6 +71,27 @@ def test_a_click_on_a_link_selects_its_controller(pilot: Pilot) -> None:
     pilot.click(at)
     assert len(pilot.selected) == 1
     assert pilot.selected[0].startswith("group-")
+
+
+def test_who_is_under_the_selected_controller_is_marked_where_its_links_end_and_selected_there(
+    pilot: Pilot,
+) -> None:
+    pilot.use_arm("two levels")
+    pilot.studio.selection.select_nodes(("squad-1",))
+    frame = pilot.frame
+    links = shown_links(frame)
+    rows, places = marked(frame, links, link_ends(frame, links))
+    ids = [frame.scene.place.ids[row] for row in rows.tolist()]
+    assert ids == ["squad-1", *(f"group-{k}" for k in range(1, 6))]
+    x, y = frame.places()
+    free = [
+        (node, QPoint(round(at[0]), round(at[1])))
+        for node, at in zip(ids[1:], places[1:].tolist(), strict=True)
+        if (np.hypot(x - at[0], y - at[1]) > 20).all()
+    ]
+    assert free
+    pilot.click(free[0][1])
+    assert pilot.selected == [free[0][0]]
 
 
 def test_a_click_in_a_hull_selects_its_controller_and_none_where_hulls_are_off(pilot: Pilot) -> None:
