@@ -64,10 +64,12 @@ class Kept:
     Attributes:
         found: None if nothing has been summed up yet.
         rows: Every run, without its curves.
+        most: How many runs an arm there are, also of those that are not asked for now.
     """
 
     found: Findings | None
     rows: Sequence[Row]
+    most: int = 0
 
 
 def study_of(project: Project, scenario: Scenario, folder: Path, name: str, results: Path) -> Study:
@@ -106,8 +108,8 @@ def kept_of(study: Study) -> Kept | None:
     mark = fingerprint_of(study.project, study.scenario, study.experiment)
     with Results.open(study.path, mark) as results:
         found = findings(study.experiment, list(study.scenario.measures), results)
-        rows = results.outlines(len(study.experiment.cells()), study.experiment.runs)
-    return Kept(found, rows)
+        cells = len(study.experiment.cells())
+        return Kept(found, results.outlines(cells, study.experiment.runs), results.most(cells))
 
 
 def move_aside(study: Study) -> Path:

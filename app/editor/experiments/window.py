@@ -247,7 +247,7 @@ class ExperimentsWindow(QWidget):
             return
 
         def read(kept: Kept | None) -> None:
-            if self.study is study:
+            if self.study is study and not self._asks_for_all(kept, study):
                 self._show_kept(kept, study)
 
         def failed(error: UnderstudyError) -> None:
@@ -256,6 +256,15 @@ class ExperimentsWindow(QWidget):
                 self.pages.runs.show_rows(study, ())
 
         self.look_up(study, read, failed)
+
+    def _asks_for_all(self, kept: Kept | None, study: Study) -> bool:
+        """Where more runs were asked for than the experiment's file says, ask for as many again."""
+        if kept is None or study.experiment is not study.declared or kept.most <= study.experiment.runs:
+            return False
+        self.study = study.asked_for(kept.most, study.experiment.ticks)
+        self.controls.show_study(self.study)
+        self._read()
+        return True
 
     def look_up(
         self,

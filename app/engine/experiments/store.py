@@ -148,6 +148,12 @@ class Results:
             )
             return int(found.fetchone()[0])
 
+    def most(self, cells: int) -> int:
+        """As many runs a cell as were ever asked for of the first *cells* cells, as far as they have been made."""
+        with _explained(self.path):
+            found = self._connection.execute("SELECT MAX(run) FROM runs WHERE cell < ?", (cells,)).fetchone()
+            return 0 if found[0] is None else int(found[0]) + 1
+
     def outlines(self, cells: int, runs: int) -> list[Row]:
         """The first *runs* of the first *cells* cells as far as they have been made, in order, without their curves."""
         with _explained(self.path):

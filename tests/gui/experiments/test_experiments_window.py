@@ -108,6 +108,25 @@ def test_running_fills_curves_tables_and_verdicts_and_running_again_has_nothing_
     assert made(window) == before
 
 
+def test_more_runs_than_the_experiment_says_are_there_the_next_day(
+    shown: tuple[MainWindow, ExperimentsWindow], folder: Path, qtbot: QtBot
+) -> None:
+    _, window = shown
+    path = folder / "experiments" / "figure3.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), "runs": 1, "ticks": 200, "points": 2}))
+    window.listing.choose("open")
+    window.listing.choose("figure3")
+    window.controls.runs.setValue(2)
+    window.begin()
+    qtbot.waitUntil(lambda: finished(window) and not window.background.busy, timeout=3 * PATIENCE)
+    window.listing.choose("open")
+    window.listing.choose("figure3")
+    qtbot.waitUntil(lambda: told(window, "Finished: 8 runs"), timeout=PATIENCE)
+    assert window.controls.runs.value() == 2
+    window.controls.runs.setValue(1)
+    qtbot.waitUntil(lambda: told(window, "Finished: 4 runs"), timeout=PATIENCE)
+
+
 def test_a_run_is_opened_in_the_world_at_a_tick_with_the_numbers_it_had(
     shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
 ) -> None:

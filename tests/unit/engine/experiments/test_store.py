@@ -42,6 +42,7 @@ def test_only_runs_and_cells_that_are_asked_for_count(tmp_path: Path) -> None:
     with Results.open(filled(tmp_path / "r.sqlite"), OURS) as results:
         assert (results.count(1, 3), results.count(1, 2), results.count(0, 3)) == (3, 2, 0)
         assert [found.run for found in results.rows(0, 2)] == [0, 1]
+        assert (results.most(1), results.most(0)) == (3, 0)
 
 
 def test_results_of_another_experiment_are_refused_with_what_differs_and_what_to_do(tmp_path: Path) -> None:
