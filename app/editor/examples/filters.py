@@ -10,7 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from ...core.wording import state_words
-from .model import everything
+from .model import everything, node_called
 from .verdicts import Verdict
 
 if TYPE_CHECKING:
@@ -84,9 +84,8 @@ class FilterBar(QWidget):
 
         _fill(self.source, [(name(state), state) for state in _distinct(map(attrgetter("source"), examples))])
         _fill(self.label, [(name(state), state) for state in _distinct(map(attrgetter("label"), examples))])
-        _fill(
-            self.node, [(node or "–", node) for node in sorted(_distinct(map(attrgetter("node"), examples)))]
-        )
+        nodes = sorted(_distinct(map(attrgetter("node"), examples)), key=lambda node: (len(node), node))
+        _fill(self.node, [(node_called(node), node) for node in nodes])
         taught = sorted(_distinct(map(attrgetter("demonstration"), examples)))
         _fill(self.demonstration, [(d or "no name", d) for d in taught])
 

@@ -12,9 +12,10 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 
 from ...core.automaton import Automaton
 from ...core.examples import Example
+from ...core.hierarchy import Node
 from ...core.library import Library
 from ...core.vocabulary import Vocabulary
-from ...core.wording import example_words, reading_words, state_words
+from ...core.wording import example_words, node_words, reading_words, state_words
 from .verdicts import MEANINGS, Verdict
 
 Index = QModelIndex | QPersistentModelIndex
@@ -51,7 +52,7 @@ HEADERS: Mapping[Column, tuple[str, str]] = {
 #: Columns that show what an example says of itself.
 _PLAIN: Mapping[Column, Callable[[Example], str]] = {
     Column.ID: lambda example: example.id,
-    Column.NODE: lambda example: example.node,
+    Column.NODE: lambda example: node_called(example.node),
     Column.TICK: lambda example: f"{example.tick:,}",
     Column.DEMONSTRATION: lambda example: example.demonstration or "–",
     Column.WEIGHT: lambda example: f"{example.weight:g}",
@@ -66,6 +67,11 @@ class Subject:
     automaton: Automaton
     library: Library
     vocabulary: Vocabulary
+
+
+def node_called(node_id: str) -> str:
+    """What the user calls who an example is of, as far as its id tells: it may be in no arm any more."""
+    return node_words(Node(node_id, "")) if node_id else "–"
 
 
 def everything(_example: Example) -> bool:
@@ -174,7 +180,7 @@ class ExamplesModel(QAbstractTableModel):
             case Column.LABEL | Column.WORDS:
                 return lambda example: (shown(example.label), shown(example.source))
             case Column.NODE:
-                return lambda example: example.node
+                return lambda example: (len(example.node), example.node)
             case Column.TICK:
                 return lambda example: (example.demonstration, example.tick)
             case Column.DEMONSTRATION:

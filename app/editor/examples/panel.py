@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBox
 
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
 from ...engine.worker import Worker
-from ..actions import ActionRow
 from ..forms.nothing import NothingFound
 from ..icons import icon
 from ..row_spans import selected_rows, spans
@@ -18,6 +17,7 @@ from ..soon import Soon
 from .delegates import HEAVIEST, LIGHTEST
 from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, states_of
+from .rows import example_rows
 from .table import ExamplesTable
 from .verdicts import Judge, Judged, Matter, Verdict
 
@@ -148,6 +148,12 @@ class ExamplesPanel(QWidget):
         self.model.keep(self.filters.passes())
         self._selecting = False
         self._say_counts()
+
+    def show_conflicts(self) -> None:
+        """Show only examples that contradict each other, once they are judged."""
+        self.filters.reset()
+        self.filters.choose(self.filters.verdict, Verdict.CONFLICT)
+        self._studio.show_panel.emit("examples")
 
     def _say_counts(self) -> None:
         """Say how many pass, and select what is selected."""
@@ -287,67 +293,3 @@ class ExamplesPanel(QWidget):
         for row in example_rows(self):
             menu.addAction(self._studio.actions[row.id])
         menu.popup(self.table.viewport().mapToGlobal(at))
-
-
-def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
-    """What can be done with examples."""
-
-    def chosen(_studio: Studio) -> bool:
-        return bool(panel.chosen)
-
-    return (
-        ActionRow(
-            "examples.disable",
-            "Do not learn from examples",
-            "Behavior",
-            lambda _: panel.switch(on=False),
-            "examples",
-            "Ctrl+Backspace",
-            "Keep the selected examples, but do not learn from them",
-            "circle-off-outline",
-            chosen,
-        ),
-        ActionRow(
-            "examples.enable",
-            "Learn from examples again",
-            "Behavior",
-            lambda _: panel.switch(on=True),
-            "examples",
-            "Ctrl+Shift+Backspace",
-            "Learn from the selected examples again",
-            "check",
-            chosen,
-        ),
-        ActionRow(
-            "examples.relabel",
-            "Relabel examples…",
-            "Behavior",
-            lambda _: panel.relabel(),
-            "examples",
-            "Ctrl+Alt+L",
-            "Let the selected examples say something else",
-            "label-outline",
-            chosen,
-        ),
-        ActionRow(
-            "examples.weigh",
-            "Weight of examples…",
-            "Behavior",
-            lambda _: panel.weigh(),
-            "examples",
-            tip="Let the selected examples count more or less",
-            icon="weight",
-            enabled=chosen,
-        ),
-        ActionRow(
-            "examples.moment",
-            "Show the moment of the example",
-            "Behavior",
-            lambda _: panel.show_moment(),
-            "examples",
-            "Ctrl+M",
-            "Show on the canvas when the selected example was recorded",
-            "history",
-            lambda _: panel.chosen != (),
-        ),
-    )

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 Index = QModelIndex | QPersistentModelIndex
 SWATCH, GAP, PAD = 10, 8, 7
-USED_BY, USES = "used by", "uses"
+USED_BY, USES, CONFLICTS = "used by", "uses", "conflicts"
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +62,8 @@ def badges(row: Row, fit: Fit | None) -> Iterator[Badge]:
     if fit is not None and fit.stale:
         yield Badge("stale", "Changed since it was learned", "accent")
     if fit is not None and fit.conflicts:
-        tip = f"{fit.conflicts} examples contradict each other: equal features, another label"
-        yield Badge(f"{fit.conflicts} in conflict", tip, "accent")
+        tip = f"{fit.conflicts} examples contradict each other: equal features, another label; click to see them"
+        yield Badge(f"{fit.conflicts} in conflict", tip, "accent", part=CONFLICTS)
     if fit is not None and fit.share is not None and fit.share < 1.0 and not fit.stale:
         yield Badge(f"fits {fit.share:.0%}", fit.words)
     if fit is not None and fit.problem:
@@ -128,7 +128,7 @@ class BehaviorDelegate(QStyledItemDelegate):
     """Paints the rows of the library.
 
     Signals:
-        linked: A badge that lists behaviors was clicked: its row, `USES` or `USED_BY`, and where.
+        linked: A badge that shows something was clicked: its row, its part, and where.
     """
 
     linked = Signal(object, str, QPoint)
@@ -195,7 +195,7 @@ class BehaviorDelegate(QStyledItemDelegate):
     def editorEvent(
         self, event: QEvent, model: QAbstractItemModel, option: QStyleOptionViewItem, index: Index
     ) -> bool:
-        """A click on a badge lists what it counts."""
+        """A click on a badge shows what it counts."""
         if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonRelease:
             found = self._at(event.position().toPoint(), option.rect, index)
             if found is not None and found.badge.part:

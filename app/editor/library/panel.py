@@ -14,7 +14,7 @@ from ...core.project import Project
 from ..forms.nothing import NothingFound
 from ..selection import BehaviorKey
 from ..soon import Soon
-from .delegate import USES, BehaviorDelegate
+from .delegate import CONFLICTS, USES, BehaviorDelegate
 from .deleting import delete_behavior
 from .filtering import LibraryFilter
 from .fits import Fits
@@ -301,6 +301,10 @@ class LibraryPanel(QWidget):
         return menu
 
     def _show_links(self, row: Row, part: str, spot: QPoint) -> None:
+        if part == CONFLICTS:
+            self._studio.selection.select_behavior(BehaviorKey(row.key.type, row.key.id))
+            self._studio.actions["examples.conflicts"].trigger()
+            return
         menu = self._new_menu()
         self._list_uses(menu, row.uses if part == USES else row.used_by)
         menu.popup(spot)

@@ -11,6 +11,10 @@ from app.editor.examples.model import Column, ExamplesModel, Index
 from app.editor.examples.panel import ExamplesPanel
 from app.editor.examples.verdicts import Verdict
 from app.editor.forms.nothing import NothingFound
+from app.editor.library.delegate import CONFLICTS, layout
+from app.editor.library.model import FIT, ROW
+from app.editor.library.panel import LibraryPanel
+from app.editor.library.survey import RowKey
 from app.editor.selection import BehaviorKey
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import PATIENCE
@@ -54,6 +58,14 @@ def test_each_example_is_told_in_words(panel: ExamplesPanel) -> None:
     words = [panel.model.index(row, Column.WORDS).data() for row in range(panel.model.rowCount())]
     assert all(words)
     assert panel.model.index(0, Column.SOURCE).data() == "Start"
+
+
+def test_who_an_example_is_of_is_called_as_elsewhere(panel: ExamplesPanel) -> None:
+    node = panel.model.example(0).node
+    assert node.startswith("agent-")
+    words = f"Agent {node.removeprefix('agent-')}"
+    assert panel.model.index(0, Column.NODE).data() == words
+    assert panel.filters.node.findText(words) > 0
 
 
 def test_a_click_selects_an_example_and_asks_for_its_moment(
@@ -283,3 +295,21 @@ def test_dialogs_for_labels_and_weights_begin_with_what_the_example_says(
         QTimer.singleShot(0, look)
         window.studio.actions[action].trigger()
     assert seen == [panel.model.index(2, Column.LABEL).data(), 2.5]
+
+
+def test_a_click_on_the_badge_in_the_library_shows_the_examples_that_contradict_each_other(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    library = window.docks["library"].widget()
+    assert isinstance(library, LibraryPanel)
+    index = library.shown.mapFromSource(library.model.find(RowKey(WANDER.type, WANDER.id)))
+    qtbot.waitUntil(lambda: index.data(FIT) is not None and index.data(FIT).conflicts > 0, timeout=PATIENCE)
+    _, placed = layout(index.data(ROW), index.data(FIT), library.tree.visualRect(index))
+    badge = next(each for each in placed if each.badge.part == CONFLICTS)
+    qtbot.mouseClick(library.tree.viewport(), Qt.MouseButton.LeftButton, pos=badge.rect.center())
+    assert window.studio.selection.behavior == WANDER
+    conflicts = index.data(FIT).conflicts
+    qtbot.waitUntil(lambda: panel.model.counts == (conflicts, len(examples(window))), timeout=PATIENCE)
+    shown = [panel.model.verdict(panel.model.example(row)) for row in range(conflicts)]
+    assert set(shown) == {Verdict.CONFLICT}
