@@ -10,13 +10,13 @@ from .store import Row
 
 
 def runs_csv(experiment: Experiment, made: Iterable[Row]) -> str:
-    """Every run that has been made: arm, levels, seed, measures, and whether it stalled."""
-    factors = [factor.name for factor in experiment.factors]
+    """Every run that has been made: arm, levels, number, seed, measures, and whether it stalled."""
     rows = list(_runs(experiment, made))
     measures = sorted({name for _, _, found in rows for name in found})
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["arm", *factors, "run", "seed", "ticks", *measures, "stalled", "agent_ticks", "seconds"])
+    others = ["run", "seed", "ticks", *measures, "stalled", "agent_ticks", "seconds"]
+    writer.writerow(["arm", *_factors(experiment, others), *others])
     for before, after, found in rows:
         writer.writerow([*before, *(found.get(name, "") for name in measures), *after])
     return out.getvalue()
@@ -29,9 +29,15 @@ def _runs(
     for row in sorted(made, key=lambda row: (row.cell, row.run)):
         cell = cells[row.cell]
         levels = [cell.levels[factor.name] for factor in experiment.factors]
-        before: list[object] = [cell.arm, *levels, row.run, row.seed, experiment.ticks]
+        before: list[object] = [cell.arm, *levels, row.run + 1, row.seed, experiment.ticks]
         after: list[object] = [int(row.stalled), row.agent_ticks, f"{row.seconds:.6f}"]
         yield before, after, dict(row.measures)
+
+
+def _factors(experiment: Experiment, others: Sequence[str]) -> list[str]:
+    """The heads of the columns of factors, told apart from the *others*: boxes can be varied and counted."""
+    taken = {"arm", *others}
+    return [f"{f.name} (factor)" if f.name in taken else f.name for f in experiment.factors]
 
 
 def curves_csv(found: Findings) -> str:
@@ -40,7 +46,8 @@ def curves_csv(found: Findings) -> str:
     factors = [factor.name for factor in experiment.factors]
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["arm", *factors, "measure", "tick", "mean", "low", "high", "runs"])
+    others = ["measure", "tick", "mean", "low", "high", "runs"]
+    writer.writerow(["arm", *_factors(experiment, others), *others])
     for summary in found.summaries:
         if not summary.runs:
             continue

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from app.core.storage import FilesError
@@ -13,6 +14,7 @@ from app.engine.experiments.keeping import delete_experiment, document_of, save_
 from app.engine.experiments.laboratory import Laboratory, Look, Stage
 from app.engine.experiments.load import experiments_in, load_experiment
 from app.engine.experiments.plan import Claim, Experiment, Kind, Panel, Reference, Treated
+from app.engine.experiments.store import Row
 from app.sim.scenarios.foraging import scenario
 from tests.unit.engine.experiments.small import boxes, experiment, factor, numbers, opened
 
@@ -147,3 +149,11 @@ def test_the_csv_of_runs_has_a_line_a_run_and_that_of_curves_one_a_sample(
     curves = curves_csv(look.found).splitlines()
     assert len(curves) == 1 + 4 * 2 * 7
     assert curves[1].split(",")[:4] == ["alone", "3", "boxes", "0"]
+
+
+def test_a_factor_that_is_called_like_a_measure_has_a_head_of_its_own() -> None:
+    of = experiment(factors=(factor("boxes", "world.boxes", 3, 4),))
+    row = Row(1, 0, 7, {"boxes": 2.0}, stalled=False, curves=np.zeros((1, 7)), agent_ticks=240, seconds=0.5)
+    head, first = runs_csv(of, [row]).splitlines()
+    assert head == "arm,boxes (factor),run,seed,ticks,boxes,stalled,agent_ticks,seconds"
+    assert first == "grouped,3,1,7,60,2.0,0,240,0.500000"
