@@ -139,14 +139,4 @@ def _level(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, level: 
 
 def _binding(snapshot: Snapshot, slot: str, arguments: Mapping[str, tuple[str, str, int]]) -> Reading:
     target, _owner, entity = arguments[slot]
-    return Reading(slot, target, entity_words(snapshot, entity))
-
-
-def entity_words(snapshot: Snapshot, entity: int) -> str:
-    """What the user calls an entity: "agent-3", "box 2"."""
-    for kind, span in snapshot.place.spans.items():
-        if entity in span:
-            if kind == "agent":
-                return snapshot.place.agents[entity]
-            return kind if len(span) == 1 else f"{kind} {entity - span.start + 1}"
-    return NOBODY
+    return Reading(slot, target, snapshot.place.entity_called(entity) if entity >= 0 else NOBODY)
