@@ -289,9 +289,9 @@ class Studio(QObject):
 
     # --------------------------------------------------------------------------------------------- telling
 
-    def say(self, text: str) -> None:
-        """Tell the user something that is good to know."""
-        self.said.emit(Message(text))
+    def say(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
+        """Tell the user something that is good to know, and what can be done about it."""
+        self.said.emit(Message(text, Kind.INFO, answers))
 
     def warn(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
         """Tell the user that something was not possible, and what can be done about it."""

@@ -30,7 +30,8 @@ from .help_rows import help_rows
 from .keys import OwnKeys
 from .menu_bar import fill_menu_bar
 from .messages import MessageBar
-from .rows import Speed, edit_rows, physics_rows, teach_rows, time_rows, view_rows
+from .physics import physics_rows
+from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
 from .toolbar import Toolbar
 

@@ -170,27 +170,6 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
     )
 
 
-def physics_rows() -> tuple[ActionRow, ...]:
-    """What moves things."""
-
-    def turn(studio: Studio) -> None:
-        studio.use_physics("kinematic" if studio.physics == "rigid" else "rigid")
-
-    return (
-        ActionRow(
-            "run.rigid",
-            "Rigid bodies",
-            "Run",
-            turn,
-            "physics",
-            tip="Begin the arm again in a world of bodies: contact, walls, boxes pulled by forces; or without",
-            icon="cube-outline",
-            enabled=lambda studio: has_arm(studio) and studio.document.scenario.bodies is not None,
-            checked=lambda studio: studio.physics == "rigid",
-        ),
-    )
-
-
 def next_seed(studio: Studio) -> None:
     """Begin another world."""
     if studio.snapshot is not None:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QLabel, QStatusBar
 
 from ...engine.snapshots import Snapshot
+from .physics import physics_words
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -67,6 +68,8 @@ class StatusBar(QStatusBar):
             )
             place = snapshot.place
             self.scenario.setText(f"{place.scenario} · {place.physics}")
+            bodies = self._studio.document.scenario.bodies
+            self.scenario.setToolTip(physics_words(place.physics, bodies, place.parameters))
             self.notice.setText(snapshot.notice)
         self.learner.setText(self._learner_words())
         self.saved.setText(self._saved_words())

@@ -1,0 +1,31 @@
+"""What moves things: said where it is switched, and in the status bar."""
+
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from app.core.storage import load
+from app.editor.window.main_window import MainWindow
+from app.editor.window.physics import physics_words
+from app.engine.scenarios import open_scenario
+from tests.gui.conftest import FORAGING
+
+
+def test_whoever_takes_rigid_physics_is_told_what_is_different(window: MainWindow, qtbot: QtBot) -> None:
+    studio = window.studio
+    qtbot.waitUntil(studio.actions["run.rigid"].isEnabled)
+    with qtbot.waitSignal(window.messages.shown) as shown, qtbot.waitSignal(studio.bridge.place_changed):
+        studio.actions["run.rigid"].trigger()
+    assert shown.args is not None
+    assert "agents are bodies, 1 wide, so two of them come no nearer than 1 to each other" in shown.args[0]
+    status = window.statusBar().findChildren(QLabel)
+    qtbot.waitUntil(lambda: any("come no nearer" in label.toolTip() for label in status))
+    with qtbot.waitSignal(studio.bridge.place_changed):
+        studio.actions["run.rigid"].trigger()
+    qtbot.waitUntil(lambda: any("nothing bumps into anything" in label.toolTip() for label in status))
+
+
+def test_where_agents_do_not_bump_no_nearness_is_spoken_of() -> None:
+    bodies = open_scenario(load(FORAGING)).bodies
+    words = physics_words("rigid", bodies, {"contact": False, "agent_diameter": 1.0})
+    assert "do not bump" in words
+    assert "nearer" not in words
