@@ -10,7 +10,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
-    QCompleter,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -33,6 +32,7 @@ from ...core.naming import slug
 from ...engine.experiments.keeping import save_experiment
 from ...engine.experiments.load import experiments_in
 from ...engine.experiments.plan import Design, Experiment, Kind, Treated
+from ..forms.choosing import Choice, Chooser
 from ..forms.parts import Complaint, caption, framed
 from .draft import SAYS, Draft, drafted, shown_claim, shown_factor
 
@@ -180,16 +180,13 @@ class ExperimentBuilder(QDialog):
         """One more row of what is varied."""
         row = self.factors.rowCount()
         self.factors.insertRow(row)
-        box = QComboBox()
-        box.setEditable(True)
-        box.addItems(self.settings())
-        box.setCurrentText(setting)
-        box.setAccessibleName("setting")
-        completer = QCompleter(self.settings(), box)
-        completer.setFilterMode(Qt.MatchFlag.MatchContains)  # "boxes" finds "world.boxes"
-        box.setCompleter(completer)
+        box = Chooser("setting", "what is varied")
+        box.offer(Choice(name, name) for name in self.settings())
+        box.setEditText(setting)  # which may be one that only files name
+        values_item = QTableWidgetItem(values)
+        values_item.setToolTip("All values that it is to have, with commas between them: 5, 10, 20")
         self.factors.setCellWidget(row, 0, box)
-        self.factors.setItem(row, 1, QTableWidgetItem(values))
+        self.factors.setItem(row, 1, values_item)
         box.setFocus()
 
     def _claims_page(self) -> QWidget:

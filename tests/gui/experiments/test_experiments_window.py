@@ -15,6 +15,7 @@ from app.core.project import Project
 from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
+from app.editor.forms.choosing import Chooser
 from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
 from app.engine.experiments.laboratory import Stage
@@ -230,7 +231,14 @@ def test_an_experiment_is_built_by_hand_and_runs(
         qtbot.keyClicks(field, text)
     for row in range(1, builder.arms.count()):
         builder.arms.item(row).setCheckState(Qt.CheckState.Unchecked)
-    builder.add_factor("world.boxes", "1, 2")
+    builder.add_factor("", "1, 2")
+    box = builder.factors.cellWidget(0, 0)
+    assert isinstance(box, Chooser)
+    qtbot.mouseClick(box.field, Qt.MouseButton.LeftButton)
+    completer = box.completer()
+    assert completer is not None
+    assert completer.completionCount() == len(builder.settings())  # a click shows all that can be varied
+    qtbot.keyClicks(box.field, "boxes")
     ok = builder.buttons.button(QDialogButtonBox.StandardButton.Ok)
     with qtbot.waitSignal(builder.kept, timeout=PATIENCE):
         qtbot.mouseClick(ok, Qt.MouseButton.LeftButton)
