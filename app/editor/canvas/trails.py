@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,24 +19,32 @@ class Trails:
 
     def __init__(self) -> None:
         self._place: Place | None = None
-        self._seen: deque[tuple[int, Floats, Floats]] = deque()
+        self._ticks: list[int] = []
+        self._x: Floats = np.empty((1, 0), np.float32)  # scenes x agents, in a ring
+        self._y: Floats = self._x
+        self._next = 0
 
     def add(self, scene: Scene) -> None:
         """Remember where the agents are; of another world, or of one that went back in time, forget what came later."""
         if scene.place is not self._place:
-            self._place = scene.place
-            many = min(max(ALTOGETHER // max(scene.agents, 1), LEAST), MOST)
-            self._seen = deque(maxlen=many)
-        while self._seen and self._seen[-1][0] >= scene.tick:
-            self._seen.pop()
-        agents = scene.agents
-        self._seen.append(
-            (scene.tick, scene.x[:agents].astype(np.float32), scene.y[:agents].astype(np.float32))
-        )
+            self._begin(scene)
+        while self._ticks and self._ticks[-1] >= scene.tick:
+            self._ticks.pop()
+            self._next -= 1
+        row = self._next % len(self._x)
+        self._x[row], self._y[row] = scene.x[: scene.agents], scene.y[: scene.agents]
+        self._ticks = [*self._ticks[1 - len(self._x) :], scene.tick]
+        self._next += 1
+
+    def _begin(self, scene: Scene) -> None:
+        many = min(max(ALTOGETHER // max(scene.agents, 1), LEAST), MOST)
+        self._place, self._ticks, self._next = scene.place, [], 0
+        self._x, self._y = (np.empty((many, scene.agents), np.float32) for _ in range(2))
 
     def of(self, agents: NDArray[np.int64], newest: int = MOST) -> tuple[Floats, Floats]:
         """Where these agents have been, the *newest* places of each: times x agents, the oldest first."""
-        seen = list(self._seen)[-newest:]
-        if not seen:
+        seen = min(len(self._ticks), newest)
+        rows = np.arange(self._next - seen, self._next)[:, None] % len(self._x)
+        if not seen:  # there may be no such agents either
             return np.empty((0, len(agents)), np.float32), np.empty((0, len(agents)), np.float32)
-        return np.stack([x[agents] for _, x, _ in seen]), np.stack([y[agents] for _, _, y in seen])
+        return self._x[rows, agents], self._y[rows, agents]

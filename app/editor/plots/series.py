@@ -114,6 +114,7 @@ class Lines:
         self._rows = rows
         self._ticks: list[int] = []
         self._values: list[Mapping[LineKey, float]] = []
+        self._columns: dict[LineKey, list[float]] = {}
         self._version = -1
 
     def follow(self, points: Sequence[Point], version: int) -> None:
@@ -121,7 +122,7 @@ class Lines:
         if version != self._version:
             known = dict(zip(self._ticks, self._values, strict=True))
             self._version = version
-            self._ticks, self._values = [], []
+            self._ticks, self._values, self._columns = [], [], {}
             for point in points:
                 self._take(point, known.get(point.tick))
             return
@@ -130,11 +131,15 @@ class Lines:
 
     def _take(self, point: Point, known: Mapping[LineKey, float] | None) -> None:
         values = values_at(point, self.subject, self._rows) if known is None else known
+        for key in values.keys() - self._columns.keys():
+            self._columns[key] = [0.0] * len(self._ticks)
+        for key, column in self._columns.items():
+            column.append(values.get(key, 0.0))
         self._ticks.append(point.tick)
         self._values.append(values)
         self.keys |= dict.fromkeys(values)
 
     def line(self, key: LineKey) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Ticks and values of one line; 0 where nobody was there."""
-        values = [at.get(key, 0.0) for at in self._values]
+        values = self._columns.get(key) or [0.0] * len(self._ticks)
         return np.array(self._ticks, np.float64), np.array(values, np.float64)

@@ -37,3 +37,15 @@ def test_another_world_begins_with_no_trails() -> None:
 
 def test_memory_is_bounded() -> None:
     assert len(walked(Trails(), *range(2 * MOST))) == MOST
+
+
+def test_only_the_newest_places_can_be_asked_for_also_after_going_back_round_the_ring() -> None:
+    trails = Trails()
+    walked(trails, *range(MOST + 7), MOST - 3, MOST)
+    x, y = trails.of(np.array([0, 0]), 3)
+    assert x[:, 0].tolist() == [10.0 * (MOST - 4), 10.0 * (MOST - 3), 10.0 * MOST]
+    assert x.shape == y.shape == (3, 2)
+
+
+def test_who_has_been_nowhere_has_no_trail() -> None:
+    assert [values.shape for values in Trails().of(np.arange(3))] == [(0, 3), (0, 3)]
