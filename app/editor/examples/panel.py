@@ -140,7 +140,7 @@ class ExamplesPanel(QWidget):
         if shown is None or automaton is None:
             return None, ()
         library = document.project.library(shown.type)
-        subject = Subject(shown.type, automaton, library, document.vocabulary(shown.type))
+        subject = Subject(shown.type, automaton, library, document.scenario.vocabulary)
         return subject, document.project.examples_of(shown.type, shown.id)
 
     def _filter(self) -> None:

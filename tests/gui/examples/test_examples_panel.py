@@ -60,6 +60,15 @@ def test_each_example_is_told_in_words(panel: ExamplesPanel) -> None:
     assert panel.model.index(0, Column.SOURCE).data() == "Start"
 
 
+def test_what_subsidiaries_sense_is_told_in_words_too(window: MainWindow, panel: ExamplesPanel) -> None:
+    window.studio.selection.select_behavior(BehaviorKey("group", "control-forage"))
+    have_done_what_is_due()
+    rows = range(panel.model.rowCount())
+    words = [panel.model.index(row, Column.WORDS).data() for row in rows]
+    assert "nobody is attached to a box" in words
+    assert not any("SomeoneIsAttachedToABox" in told for told in words)
+
+
 def test_who_an_example_is_of_is_called_as_elsewhere(panel: ExamplesPanel) -> None:
     node = panel.model.example(0).node
     assert node.startswith("agent-")
