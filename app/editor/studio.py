@@ -192,8 +192,13 @@ class Studio(QObject):
         return next((arm for arm in self.document.project.arms if arm.name == name), None)
 
     def use_arm(self, name: str, settings: Mapping[str, Value] | None = None) -> None:
-        """Begin again with another arm."""
-        self._arm, self._settings = name, settings or {}
+        """Begin again with another arm.
+
+        Args:
+            settings: As in `UseArm`; by default none but the physics that the user has taken.
+        """
+        taken = {key: value for key, value in self._settings.items() if key == "physics"}
+        self._arm, self._settings = name, taken if settings is None else settings
         if self.bridge.is_open:
             self.bridge.send(UseArm(name, self._settings))
         else:

@@ -24,6 +24,17 @@ def test_whoever_takes_rigid_physics_is_told_what_is_different(window: MainWindo
     qtbot.waitUntil(lambda: any("nothing bumps into anything" in label.toolTip() for label in status))
 
 
+def test_another_arm_has_the_physics_that_was_taken(window: MainWindow, qtbot: QtBot) -> None:
+    studio = window.studio
+    qtbot.waitUntil(studio.actions["run.rigid"].isEnabled)
+    with qtbot.waitSignal(studio.bridge.place_changed):
+        studio.actions["run.rigid"].trigger()
+    with qtbot.waitSignal(studio.bridge.place_changed):
+        studio.use_arm("one level")
+    assert studio.snapshot is not None
+    assert (studio.snapshot.arm, studio.snapshot.place.physics) == ("one level", "rigid")
+
+
 def test_where_agents_do_not_bump_no_nearness_is_spoken_of() -> None:
     bodies = open_scenario(load(FORAGING)).bodies
     words = physics_words("rigid", bodies, {"contact": False, "agent_diameter": 1.0})
