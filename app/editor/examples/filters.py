@@ -63,9 +63,13 @@ class FilterBar(QWidget):
 
     def reset(self) -> None:
         """Let everything pass."""
+        self.forget()
+        self.changed.emit()
+
+    def forget(self) -> None:
+        """Let everything pass, since something else is to be filtered; nobody is told."""
         for box in self.boxes:
             box.setCurrentIndex(0)
-        self.changed.emit()
 
     def offer(self, subject: Subject | None, examples: tuple[Example, ...]) -> None:
         """Offer what there is to choose from; choices that still make sense stay."""

@@ -121,7 +121,7 @@ class ExamplesModel(QAbstractTableModel):
         Args:
             passes: Show only those that pass; by what `keep` was told last, if it is not given.
         """
-        if _named(subject) != _named(self.subject):
+        if not same_behavior(subject, self.subject):
             self._verdicts = {}  # those are on others with the same ids
         self.subject = subject
         self._all = examples
@@ -296,8 +296,11 @@ class ExamplesModel(QAbstractTableModel):
         return "\n".join([f"example {example.id}, {kind}", *told])
 
 
-def _named(subject: Subject | None) -> tuple[str, str] | None:
-    return None if subject is None else (subject.type, subject.automaton.id)
+def same_behavior(one: Subject | None, other: Subject | None) -> bool:
+    """Whether both are about one behavior, though it may have changed in between."""
+    if one is None or other is None:
+        return one is other
+    return (one.type, one.automaton.id) == (other.type, other.automaton.id)
 
 
 def states_of(subject: Subject) -> Sequence[tuple[str, str]]:

@@ -16,7 +16,7 @@ from ..row_spans import selected_rows, spans
 from ..soon import Soon
 from .delegates import HEAVIEST, LIGHTEST
 from .filters import FilterBar
-from .model import Column, ExamplesModel, Subject, states_of
+from .model import Column, ExamplesModel, Subject, same_behavior, states_of
 from .rows import example_rows
 from .table import ExamplesTable
 from .verdicts import Judge, Judged, Matter, Verdict
@@ -120,6 +120,8 @@ class ExamplesPanel(QWidget):
         if now[0] is self._shown[0] and now[1] is self._shown[1]:
             return
         self._shown = now
+        if not same_behavior(subject, self.model.subject):
+            self.filters.forget()
         self.filters.offer(subject, examples)
         self._selecting = True
         self.model.show(subject, examples, self.filters.passes())
@@ -151,7 +153,8 @@ class ExamplesPanel(QWidget):
 
     def show_conflicts(self) -> None:
         """Show only examples that contradict each other, once they are judged."""
-        self.filters.reset()
+        self.refresh()
+        self.filters.forget()
         self.filters.choose(self.filters.verdict, Verdict.CONFLICT)
         self._studio.show_panel.emit("examples")
 

@@ -29,7 +29,10 @@ def panel(window: MainWindow, qtbot: QtBot) -> ExamplesPanel:
     window.studio.selection.select_behavior(WANDER)
     panel = window.docks["examples"].widget()
     assert isinstance(panel, ExamplesPanel)
-    qtbot.waitUntil(lambda: panel.model.counts[1] == len(examples(window)), timeout=PATIENCE)
+    qtbot.waitUntil(
+        lambda: panel.model.subject is not None and panel.model.subject.automaton.id == WANDER.id,
+        timeout=PATIENCE,
+    )
     qtbot.waitUntil(
         lambda: panel.model.verdict(panel.model.example(0)) is not Verdict.UNKNOWN, timeout=PATIENCE
     )
@@ -322,3 +325,16 @@ def test_a_click_on_the_badge_in_the_library_shows_the_examples_that_contradict_
     qtbot.waitUntil(lambda: panel.model.counts == (conflicts, len(examples(window))), timeout=PATIENCE)
     shown = [panel.model.verdict(panel.model.example(row)) for row in range(conflicts)]
     assert set(shown) == {Verdict.CONFLICT}
+
+
+def test_filters_stay_with_their_behavior_alone(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    panel.filters.choose(panel.filters.label, "forward")
+    shown = panel.model.counts[0]
+    window.studio.document.do(disable_examples, WANDER.type, WANDER.id, [examples(window)[0].id])
+    have_done_what_is_due()
+    assert panel.model.counts[0] == shown < panel.model.counts[1]
+    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    qtbot.waitUntil(lambda: panel.model.counts == (10, 10), timeout=PATIENCE)
+    assert panel.filters.is_open
