@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QListWidgetItem,
 
 from ...core.errors import UnderstudyError
 from ...engine.experiments.report import measures_in, place, with_interval
-from .study import Kept, other_lengths
+from .study import Kept, Study, other_lengths
 from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class ComparePage(QWidget):
         super().__init__()
         self._window = window
         self._names: tuple[str, ...] = ()
-        self._found: dict[str, Findings] = {}
+        self._found: dict[tuple[str, int], Findings] = {}
         self.list = QListWidget()
         self.list.setAccessibleName("experiments to compare")
         self.list.setMaximumWidth(WIDTH)
@@ -75,8 +75,8 @@ class ComparePage(QWidget):
         self.list.blockSignals(True)
         self.list.clear()
         for name, ticks in entries:
-            item = QListWidgetItem(f"{name}, {ticks:,} ticks" if ticks else name)
-            item.setToolTip(item.text())
+            item = QListWidgetItem(f"    at {ticks:,} ticks" if ticks else name)
+            item.setToolTip(_words(name, ticks))
             item.setData(KEY, (name, ticks))
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             on = (name, ticks) in ticked
@@ -85,22 +85,26 @@ class ComparePage(QWidget):
         self.list.blockSignals(False)
 
     def _ticked(self, item: QListWidgetItem) -> None:
-        words, (name, ticks) = item.text(), item.data(KEY)
+        name, ticks = item.data(KEY)
         if item.checkState() is not Qt.CheckState.Checked:
-            self._found.pop(words, None)
+            self._found.pop((name, ticks), None)
             self._show()
             return
         study = self._window.load(name)
         if study is not None:
-            asked = study.asked_for(study.declared.runs, ticks) if ticks else study
-            self._window.look_up(asked, lambda kept: self._take(words, kept), self._failed)
+            self._look_up((name, ticks), study.asked_for(study.declared.runs, ticks) if ticks else study)
 
-    def _take(self, words: str, kept: Kept | None) -> None:
-        if kept is None or kept.found is None:
-            self.told.setText(f"{words} has not been run yet.")
-            return
-        self._found[words] = kept.found
-        self._show()
+    def _look_up(self, key: tuple[str, int], study: Study) -> None:
+        self._window.look_up(study, lambda kept: self._take(key, study, kept), self._failed)
+
+    def _take(self, key: tuple[str, int], study: Study, kept: Kept | None) -> None:
+        if whole := study.asking_for_all(kept):
+            self._look_up(key, whole)
+        elif kept is None or kept.found is None:
+            self.told.setText(f"{_words(*key)} has not been run yet.")
+        else:
+            self._found[key] = kept.found
+            self._show()
 
     def _failed(self, error: UnderstudyError) -> None:
         self.told.setText(str(error))
@@ -117,9 +121,14 @@ class ComparePage(QWidget):
                 *(with_interval(summary.measures.get(measure)) for measure in measures),
                 f"{summary.stalled_share:.0%}",
             ]
-            for name, found in self._found.items()
+            for (name, _), found in self._found.items()
             for summary in found.summaries
         ]
         head = ["experiment", "arm", "where", "ticks", "runs", *measures, "stalled"] if rows else []
         self.model.show(head, rows, 3)
         self.told.setText("Means with half the width of their 95% confidence intervals." if rows else FIRST)
+
+
+def _words(name: str, ticks: int) -> str:
+    """An experiment, or its runs of another length."""
+    return f"{name}, {ticks:,} ticks" if ticks else name

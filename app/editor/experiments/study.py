@@ -56,6 +56,11 @@ class Study:
         points = min(self.declared.points, ticks)
         return replace(self, experiment=replace(self.declared, runs=runs, ticks=ticks, points=points))
 
+    def asking_for_all(self, kept: Kept | None) -> Study | None:
+        """The same with as many runs as its results hold, if more were asked for once than now."""
+        runs, ticks = self.experiment.runs, self.experiment.ticks
+        return self.asked_for(kept.most, ticks) if kept is not None and kept.most > runs else None
+
 
 @dataclass(frozen=True, slots=True)
 class Kept:

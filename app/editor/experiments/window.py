@@ -259,10 +259,11 @@ class ExperimentsWindow(QWidget):
 
     def _asks_for_all(self, kept: Kept | None, study: Study) -> bool:
         """Where more runs were asked for than the experiment's file says, ask for as many again."""
-        if kept is None or study.experiment is not study.declared or kept.most <= study.experiment.runs:
+        whole = study.asking_for_all(kept) if study.experiment is study.declared else None
+        if whole is None:
             return False
-        self.study = study.asked_for(kept.most, study.experiment.ticks)
-        self.controls.show_study(self.study)
+        self.study = whole
+        self.controls.show_study(whole)
         self._read()
         return True
 
