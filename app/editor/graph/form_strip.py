@@ -5,8 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QScrollArea, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ...export.graph import Edge, WayKind, way_words
 from .rule_form import Place, RuleBlock, RuleForm
@@ -47,16 +56,27 @@ class FormStrip(QFrame):
         line.setProperty("role", "hairline")
         line.setFixedHeight(1)
         column.addWidget(line)
+        column.addLayout(self._head())
         column.addWidget(self._stack)
-        self._close = QToolButton(self)
-        self._close.setText("✕")
-        self._close.setProperty("flat", "true")
-        self._close.setToolTip("Close the form (Esc)")
-        self._close.setAccessibleName("Close the form")
-        self._close.clicked.connect(self.closed)
         self.setMaximumHeight(HIGHEST)
         self.setMinimumHeight(LOWEST)
         self.hide()
+
+    def _head(self) -> QHBoxLayout:
+        """What the form is about, and what closes it: they stay while the form is scrolled."""
+        self._title = QLabel()
+        self._title.setProperty("role", "title")
+        close = QToolButton()
+        close.setText("✕")
+        close.setProperty("flat", "true")
+        close.setToolTip("Close the form (Esc)")
+        close.setAccessibleName("Close the form")
+        close.clicked.connect(self.closed)
+        head = QHBoxLayout()
+        head.setContentsMargins(10, 2, 10, 0)
+        head.addWidget(self._title, 1)
+        head.addWidget(close)
+        return head
 
     def show_edge(self, place: Place, edge: Edge | None) -> None:
         """Show the rules between two states, and what was learned."""
@@ -65,11 +85,13 @@ class FormStrip(QFrame):
         more = len(ways) - MOST_TOLD + (edge.more if edge is not None else 0)
         learned = f"Learned: {told}{f'; and {more} more' if more > 0 else ''}." if told else ""
         self.rules.show_place(place, learned)
+        self._title.setText(self.rules.title)
         self._stack.setCurrentIndex(0)
 
     def show_state(self, place: tuple[str, str, str]) -> None:
         """Show a state."""
         self.state.show_place(place)
+        self._title.setText(self.state.title)
         self._stack.setCurrentIndex(1)
 
     def focus_first(self) -> None:
@@ -83,13 +105,6 @@ class FormStrip(QFrame):
             fields = [form.add]
         if fields:
             fields[0].setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the button in its corner."""
-        super().resizeEvent(event)
-        self._close.adjustSize()
-        self._close.move(self.width() - self._close.width() - 14, 4)
-        self._close.raise_()
 
     def event(self, event: QEvent) -> bool:
         """Escape closes the form, and nothing else."""

@@ -40,27 +40,26 @@ class RuleForm(QWidget):
 
     Attributes:
         place: Which ones; None while nothing is shown.
+        title: The same in words.
     """
 
     def __init__(self, studio: Studio, scoping: Scoping) -> None:
         super().__init__()
         self._studio, self._scoping = studio, scoping
         self.place: Place | None = None
+        self.title = ""
         self.blocks: list[RuleBlock] = []
         self._keys_go = "", ""  # the rule and the part that they go to after the next change
         self._features: tuple[FeatureUse, ...] = ()
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(10, 4, 10, 8)
         self._column.setSpacing(6)
-        self._title = QLabel()
-        self._title.setProperty("role", "title")
         self._learned = QLabel()
         self._learned.setProperty("role", "caption")
         self._learned.setWordWrap(True)
         self.more = QPushButton("Add a rule")
         self.more.setToolTip("Add another rule from and to the same states, tried after the others")
         self.more.clicked.connect(self._add)
-        self._column.addWidget(self._title)
         self._column.addWidget(self._learned)
         self._column.addWidget(self.more)
         self._column.addStretch(1)
@@ -74,7 +73,7 @@ class RuleForm(QWidget):
             return
         library = self._studio.document.project.library(place[0])
         names = [state_words(automaton, state, library) for state in place[2:]]
-        self._title.setText(f"{names[0]} → {names[1]}")
+        self.title = f"{names[0]} → {names[1]}"
         self._learned.setText(learned)
         self._learned.setVisible(bool(learned))
         ordered = automaton.rules_of(place[2])
@@ -97,7 +96,7 @@ class RuleForm(QWidget):
             block.deleteLater()
         self.blocks = blocks
         for number, block in enumerate(blocks):
-            self._column.insertWidget(2 + number, block)
+            self._column.insertWidget(1 + number, block)
         tab_through(self, [*blocks, self.more])
         if had_keys:
             self._put_keys(*self._keys_go)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit, QVBoxLayout, QWidget
 
 from ...core.automaton import START, Automaton, RaiseFlag, State
 from ...core.edits import bind_state, note_state, order_rules, remove_rule, rename_state, set_content
@@ -30,6 +30,7 @@ class StateForm(QWidget):
 
     Attributes:
         place: Type, automaton and state; None while nothing is shown.
+        title: What the state holds, in words.
         name, note, flag: Fields.
         slots: The choice of each slot's binding.
         rules: Those that leave the state, in order.
@@ -40,8 +41,7 @@ class StateForm(QWidget):
         self._studio, self._scoping = studio, scoping
         self.place: tuple[str, str, str] | None = None
         self._shown: object = None
-        self._title = QLabel()
-        self._title.setProperty("role", "title")
+        self.title = ""
         self.name = self._field("Name of the state", "shows what it does")
         self.note = self._field("Note on the state", "what you want to remember of it")
         self.flag = self._field("Name of the flag", "done")
@@ -58,7 +58,6 @@ class StateForm(QWidget):
         self.rules.removed.connect(self._remove_rule)
         column = QVBoxLayout(self)
         column.setContentsMargins(10, 4, 10, 8)
-        column.addWidget(self._title)
         column.addLayout(self._rows)
         column.addWidget(self._order)
         column.addWidget(self.rules)
@@ -88,7 +87,7 @@ class StateForm(QWidget):
         slots = () if scope is None else offers.slots_of(state.content, scope)
         bound = tuple(bindings_of(state.content).items())
         form = place, type(state.content), bound, tuple(name for name, _ in choices), slots
-        self._title.setText(content_words(state.content, self._studio.document.project.library(place[0])))
+        self.title = content_words(state.content, self._studio.document.project.library(place[0]))
         if form != self._shown:
             self.place, self._shown = place, form
             self._fill(state, slots, choices)

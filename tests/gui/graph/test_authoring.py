@@ -3,7 +3,8 @@
 from itertools import combinations
 
 import pytest
-from PySide6.QtCore import QPoint, QRectF, Qt
+from PySide6.QtCore import QPoint, QRect, QRectF, Qt
+from PySide6.QtWidgets import QScrollArea, QToolButton
 
 from app.core.automaton import START, Automaton, Basic, Nested, RaiseFlag
 from app.core.conditions import AtMost, Condition, Equals
@@ -210,6 +211,18 @@ def test_tab_goes_through_a_rule_as_it_is_read(author: Author) -> None:
         author.qtbot.keyClick(author.panel.focusWidget(), Qt.Key.Key_Tab)
     author.qtbot.keyClick(block.add, Qt.Key.Key_Tab)
     assert author.panel.focusWidget() is author.panel.form.rules.more
+
+
+def test_what_closes_a_form_covers_nothing_of_it(author: Author) -> None:
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_F2)
+    strip = author.panel.form
+    (close,) = [b for b in strip.findChildren(QToolButton) if b.accessibleName() == "Close the form"]
+    (area,) = [a for a in strip.findChildren(QScrollArea) if a.isVisible()]
+    ours, theirs = (QRect(w.mapTo(strip, QPoint(0, 0)), w.size()) for w in (close, area))
+    assert not ours.intersects(theirs)
+    author.press(close)
+    assert not strip.isVisible()
 
 
 def test_keys_stay_on_a_rule_that_is_tried_earlier(author: Author) -> None:
