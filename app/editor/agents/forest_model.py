@@ -128,34 +128,49 @@ class ForestModel(QAbstractItemModel):
 
     def find(self, node_id: str) -> QModelIndex:
         """The index of a node; invalid if there is none."""
+        number = self._number_of(node_id) if node_id in self._controllers else None
+        return QModelIndex() if number is None else self._index_of(number)
+
+    @property
+    def _controllers(self) -> dict[str, str]:
+        """The controller of each node; none, an empty id, for roots."""
         if self._parents is None:
             self._parents = dict(self.forest.parents())
             self._parents |= {root.id: "" for root in self.forest.roots}
+        return self._parents
+
+    def _number_of(self, node_id: str) -> int | None:
+        """The entry of a node, -1 for an empty id; None if there is none."""
         way = []
         while node_id:
             way.append(node_id)
-            node_id = self._parents.get(node_id, "")
+            node_id = self._controllers.get(node_id, "")
         number = -1
         for step in reversed(way):
-            below = self._below(number)
-            rows = self._root_rows if number < 0 else self._entries[number].rows
+            below, rows = self._below(number), self._rows(number)
             if step not in rows:
-                return QModelIndex()
+                return None
             number = below[rows[step]]
-        return self._index_of(number)
+        return number
+
+    def _rows(self, number: int) -> dict[str, int]:
+        """The places of those below an entry, which have been looked at, by their ids."""
+        return self._root_rows if number < 0 else self._entries[number].rows
 
     def spans(self, nodes: Iterable[str]) -> QItemSelection:
         """The indexes of nodes, neighbors in one range: selections are slow by the number of ranges."""
-        rows: dict[int, list[int]] = {}
+        controllers = self._controllers
+        together: dict[str, list[str]] = {}
         for node_id in nodes:
-            index = self.find(node_id)
-            if index.isValid():
-                rows.setdefault(self._entries[index.internalId()].parent, []).append(index.row())
+            if node_id in controllers:
+                together.setdefault(controllers[node_id], []).append(node_id)
         found = QItemSelection()
-        for above, places in rows.items():
-            below = self._below(above)
-            for ends in spans(places):
-                found.append(QItemSelectionRange(*(self._index_of(below[row]) for row in ends)))
+        for controller, ids in together.items():
+            above = self._number_of(controller)
+            if above is not None:
+                below, rows = self._below(above), self._rows(above)
+                for ends in spans(rows[node_id] for node_id in ids):
+                    found.append(QItemSelectionRange(*(self._index_of(below[row]) for row in ends)))
         return found
 
     def nodes(self, selection: QItemSelection) -> Iterator[Node]:

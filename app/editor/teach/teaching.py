@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from ...core.automaton import Automaton, Content
 from ...core.edits import Recorded
 from ...core.naming import slug
+from ...core.remembered import Remembered
 from ...engine.commands import Others, Pick, RunArm, ShouldNotHaveLeft, Step, Teach, Test
 from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot, TakenBack
 from ..selection import BehaviorKey
@@ -60,6 +61,7 @@ class Teaching(QObject):
         self.picked = ""
         self.last: Picked | None = None
         self._arguments: dict[BehaviorKey, dict[str, str]] = {}
+        self._chosen: Remembered[str, tuple[str, ...]] = Remembered()  # ten thousand may be selected
         self._turn = ""
         self._then_teach = False
         self.asking = Asking(studio, self)
@@ -325,9 +327,13 @@ class Teaching(QObject):
         snapshot = self._studio.snapshot
         if snapshot is None:
             return ()
-        of_type = members(snapshot.place.hierarchy, key.type)
-        chosen = tuple(node for node in self._studio.selection.nodes if node in of_type)
-        return chosen or tuple(islice(of_type, 1))
+        forest, selected = snapshot.place.hierarchy, self._studio.selection.nodes
+
+        def chosen() -> tuple[str, ...]:
+            of_type = members(forest, key.type)
+            return tuple(node for node in selected if node in of_type) or tuple(islice(of_type, 1))
+
+        return self._chosen.of(key.type, (forest, selected), chosen)
 
     def _refuse_without_nodes(self, key: BehaviorKey) -> None:
         arms = arms_with(self._studio.document.project, key.type)
