@@ -25,7 +25,7 @@ from .words import cut_words, prune_words
 if TYPE_CHECKING:
     from ..studio import Studio
 
-NOTHING = "Nothing is pruned, and no cut was moved. Delete prunes the node that is selected."
+NOTHING = "Nothing is pruned, and no cut was moved. In the tree, Delete prunes the node that is selected."
 
 
 class PrunePage(QWidget):
@@ -102,7 +102,7 @@ class PrunePage(QWidget):
         self.listed.setVisible(bool(self.listed.count()))
         self.listed.setCurrentRow(min(max(row, 0), self.listed.count() - 1))
         self.back.setEnabled(self.listed.count() > 0)
-        self.setFocusProxy(self.listed if self.listed.count() else self.support)
+        self.setFocusProxy(self.listed if self.listed.count() else self.weak)  # a field would take Delete
         self.weak.setEnabled(subject is not None and bool(subject.automaton.learned))
 
     def _add(self, words: str, what: tuple[str, str]) -> None:
