@@ -111,6 +111,7 @@ class Actions(QObject):
         action.setShortcut(QKeySequence(self.keys_of(row.id)))
         action.triggered.connect(lambda: self._run(row))
         self._dress(row, action)
+        self._tell_keys(row, action)
         self._refresh(row, action)
         return action
 
@@ -119,14 +120,23 @@ class Actions(QObject):
         self.refresh()
 
     def dress(self) -> None:
-        """Icons and shortcuts anew, after the theme or the keys changed."""
+        """Icons anew, after the theme changed."""
         for action_id, row in self._rows.items():
-            self._actions[action_id].setShortcut(QKeySequence(self.keys_of(action_id)))
             self._dress(row, self._actions[action_id])
+
+    def take_keys(self) -> None:
+        """Shortcuts anew, after the keys changed."""
+        for action_id, row in self._rows.items():
+            action = self._actions[action_id]
+            action.setShortcut(QKeySequence(self.keys_of(action_id)))
+            self._tell_keys(row, action)
 
     def _dress(self, row: ActionRow, action: QAction) -> None:
         if row.icon:
             action.setIcon(icon(row.icon, self._studio.theme))
+
+    @staticmethod
+    def _tell_keys(row: ActionRow, action: QAction) -> None:
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         tip = row.tip or row.text.rstrip("…")
         action.setToolTip(f"{tip} ({keys})" if keys else tip)

@@ -338,7 +338,7 @@ class Studio(QObject):
         if name == "theme":
             self.theme.use(self.settings.theme)
         elif name == "keys":
-            self.actions.dress()
+            self.actions.take_keys()
 
 
 #: What the history alone makes possible.

@@ -37,6 +37,7 @@ class ModeSwitch(QWidget):
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
+        self._worn: object = None  # what it is dressed for
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -67,6 +68,9 @@ class ModeSwitch(QWidget):
         if mode in (Mode.TESTING, Mode.LEARNING):
             chosen = "right", colors.accent
         side, ground = chosen
+        if self._worn == (colors, side):
+            return
+        self._worn = colors, side
         self.setStyleSheet(
             "QToolButton { padding: 4px 12px; font-weight: 600; }"
             "#mode-left { border-top-right-radius: 0; border-bottom-right-radius: 0; }"
@@ -95,6 +99,7 @@ class Toolbar(QToolBar):
         self.setMovable(False)
         self.setIconSize(QSize(18, 18))
         self._studio = studio
+        self._worn: object = None  # what it is dressed for
         self._speed = speed
         self.mode = ModeSwitch(studio)
         self.addWidget(self.mode)
@@ -202,5 +207,7 @@ class Toolbar(QToolBar):
         self.speed_words.setText(speed_words(self._speed.chosen))
 
     def _dress(self) -> None:
-        name = "pause" if is_playing(self._studio) else "play"
-        self._studio.actions["run.play"].setIcon(icon(name, self._studio.theme))
+        name, theme = "pause" if is_playing(self._studio) else "play", self._studio.theme
+        if self._worn != (theme.palette, name):
+            self._worn = theme.palette, name
+            self._studio.actions["run.play"].setIcon(icon(name, theme))

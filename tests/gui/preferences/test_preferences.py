@@ -7,10 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from pytestqt.qtbot import QtBot
 
+from app.editor.icons import icon
 from app.editor.preferences.dialog import Preferences, open_preferences
 from app.editor.studio import Studio
 from app.editor.theme import ThemeMode
 from app.editor.window.main_window import MainWindow
+from app.engine.commands import Play
 from tests.gui.conftest import PATIENCE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -70,6 +72,23 @@ def test_an_action_gets_other_keys_and_its_own_back(
     qtbot.mouseClick(preferences.keys.reset, Qt.MouseButton.LeftButton)
     assert studio.actions["run.reset"].shortcut() == QKeySequence("Ctrl+R")
     assert studio.settings.keys == {}
+
+
+def test_what_is_going_on_is_still_shown_after_keys_or_the_theme_were_changed(
+    preferences: Preferences, qtbot: QtBot, studio: Studio
+) -> None:
+    def shown() -> str:
+        """What the icon of Play looks like: "play", "pause", or something else."""
+        looks = studio.actions["run.play"].icon().pixmap(16).toImage()
+        names = ("play", "pause")
+        return next((name for name in names if icon(name, studio.theme).pixmap(16).toImage() == looks), "")
+
+    studio.bridge.send(Play(0.5))
+    qtbot.waitUntil(lambda: shown() == "pause")
+    press(preferences, qtbot, "run.reset", Qt.Key.Key_J)
+    assert shown() == "pause"
+    studio.settings.theme = ThemeMode.DARK
+    assert shown() == "pause"
 
 
 def test_keys_that_another_action_has_are_refused_with_its_name(
