@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,6 +35,7 @@ from ..documents.background import Background, Job
 from ..documents.choosing import choose_existing
 from ..forms.parts import Complaint, caption
 from ..selection import BehaviorKey
+from ..studio import Message
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -216,13 +218,20 @@ class ImportDialog(QDialog):
         if chosen.added:
             last = chosen.added[-1]
             self._studio.selection.select_behavior(BehaviorKey(last.type, last.id))
-        here = len(chosen.behaviors) - len(chosen.added)
-        arm = f" and the arm {chosen.arm!r}" if chosen.arm and not chosen.arm_is_here else ""
-        more = (
-            f"; {counted(here, 'behavior')} of the file {'was' if here == 1 else 'were'} here" if here else ""
-        )
-        self._studio.say(f"imported {counted(len(chosen.added), 'new behavior')}{arm}{more}")
+        self._tell(chosen)
         self.accept()
+
+    def _tell(self, chosen: Import) -> None:
+        """Say what came, and offer to look at the arm."""
+        here = len(chosen.behaviors) - len(chosen.added)
+        words = f"imported {counted(len(chosen.added), 'new behavior')}"
+        answers: tuple[tuple[str, Callable[[], object]], ...] = ()
+        if chosen.arm and not chosen.arm_is_here:
+            words += f" and the arm {chosen.arm!r}"
+            answers = (("Show its world", partial(self._studio.use_arm, chosen.arm)),)
+        if here:
+            words += f"; {counted(here, 'behavior')} of the file {'was' if here == 1 else 'were'} here"
+        self._studio.said.emit(Message(words, answers=answers))
 
 
 def _table() -> QTableWidget:

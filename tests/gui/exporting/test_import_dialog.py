@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLineEdit
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLineEdit, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import add_automaton, delete_automaton, rename_automaton
@@ -93,6 +93,11 @@ def press_import(dialog: ImportDialog, qtbot: QtBot) -> None:
     qtbot.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
 
 
+def arm_shown(window: MainWindow) -> str:
+    snapshot = window.studio.snapshot
+    return "" if snapshot is None else snapshot.arm
+
+
 def test_an_arm_comes_with_all_it_uses_as_one_step_that_is_undone(
     window: MainWindow,
     importing: Opening,
@@ -118,6 +123,9 @@ def test_an_arm_comes_with_all_it_uses_as_one_step_that_is_undone(
     chosen = window.studio.selection.behavior
     assert chosen is not None
     assert (chosen.type, chosen.id) == ("group", "control-forage")
+    (show,) = [b for b in window.messages.findChildren(QPushButton) if b.text() == "Show its world"]
+    qtbot.mouseClick(show, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: arm_shown(window) == "one level", timeout=PATIENCE)
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier, qtbot)
     assert document.project is before
 
