@@ -5,16 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
 from ...engine.snapshots import Asked
 from .button import BehaviorButton
+from .flow import ROW, ButtonFlow, Rows
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
 #: So many answers are offered as buttons; the others are picked below.
 MOST_ANSWERS = 5
+LEFT, RIGHT = 12, 8
 
 
 class QuestionBar(QFrame):
@@ -33,13 +36,16 @@ class QuestionBar(QFrame):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.let_go = QPushButton("It may decide")
+        self.let_go = QPushButton()
+        self.let_go.setFixedHeight(ROW)
         self.let_go.clicked.connect(studio.actions["teach.let_go"].trigger)
         self.buttons: list[BehaviorButton] = []
-        self._layout = QHBoxLayout(self)
-        self._layout.setContentsMargins(10, 4, 6, 4)
-        self._layout.addWidget(self.words, 1)
-        self._layout.addWidget(self.let_go)
+        self._flow = ButtonFlow()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(LEFT, 6, RIGHT, 6)
+        layout.setSpacing(6)
+        layout.addWidget(self.words)
+        layout.addWidget(Rows(self._flow))
         studio.theme.changed.connect(self._dress)
         self._dress()
         self.hide()
@@ -49,11 +55,24 @@ class QuestionBar(QFrame):
         self._clear()
         self.words.setText(self._studio.teaching.asking.words(asked))
         self.words.setToolTip(asked.reason)
-        self.let_go.setToolTip(self._studio.actions["teach.let_go"].toolTip())
+        letting_go = self._studio.actions["teach.let_go"]
+        keys = letting_go.shortcut().toString()
+        self.let_go.setText(f"{letting_go.text()}   {keys}" if keys else letting_go.text())
+        self.let_go.setToolTip(letting_go.toolTip())
         self.buttons = answers
-        for button in answers:
-            self._layout.insertWidget(self._layout.count() - 1, button)
+        self._flow.hold(answers, (), (self.let_go,))
+        self._fit_words()
         self.show()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The words may take other lines."""
+        super().resizeEvent(event)
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        """Docks do not ask how high wrapped words are, so they have to be told."""
+        width = max(1, self.width() - LEFT - RIGHT)
+        self.words.setFixedHeight(self.words.heightForWidth(width))
 
     def clear(self) -> None:
         """There is no question."""
@@ -61,8 +80,8 @@ class QuestionBar(QFrame):
         self.hide()
 
     def _clear(self) -> None:
+        self._flow.hold((), (), (self.let_go,))
         for button in self.buttons:
-            self._layout.removeWidget(button)
             button.hide()
             button.deleteLater()
         self.buttons = []

@@ -54,6 +54,22 @@ def wait_for_another(hand: Hand, asked: Asked | None, until: float = inf) -> Non
     hand.settle()
 
 
+def test_a_question_has_room_in_a_small_window(unsure: Hand) -> None:
+    unsure.window.resize(1280, 800)
+    switch_on(unsure, 100)
+    unsure.test()
+    unsure.key(Qt.Key.Key_Space)
+    wait_for_question(unsure)
+    panel, page = unsure.panel, unsure.page
+    assert (unsure.window.width(), unsure.window.height()) == (1280, 800)
+    unsure.wait(lambda: page.row.y() > page.rows.geometry().bottom())
+    assert page.geometry().bottom() <= panel.rect().bottom()
+    words = panel.question.words
+    assert words.height() >= words.heightForWidth(words.width())
+    answers = (*panel.question.buttons, panel.question.let_go)
+    unsure.wait(lambda: all(each.visibleRegion().boundingRect() == each.rect() for each in answers))
+
+
 def test_the_run_stops_and_asks_with_what_it_wavers_between(unsure: Hand) -> None:
     switch_on(unsure, 100)
     unsure.test()
