@@ -116,6 +116,7 @@ class ArmsPage(QWidget):
 
     def refresh(self, *_: object) -> None:
         """Show the arms as they are now."""
+        self.trouble.say("")  # what it said was about the project as it was
         shown = self._studio.arm
         wanted = self.arms.current or ("" if shown is None else shown.name)
         items = [Item(a.name, a.name, a.note) for a in self._studio.document.project.arms]

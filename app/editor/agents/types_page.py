@@ -85,6 +85,7 @@ class TypesPage(QWidget):
 
     def refresh(self, *_: object) -> None:
         """Show the types as they are now."""
+        self.trouble.say("")  # what it said was about the project as it was
         types = self._studio.document.project.types
         self.types.show_items(Item(t.name, t.name, f"level {t.level}; F2 renames it") for t in types)
 

@@ -68,6 +68,7 @@ class WorldsPage(QWidget):
 
     def refresh(self, *_: object) -> None:
         """Show the worlds as they are now."""
+        self.trouble.say("")  # what it said was about the project as it was
         names = [name for name in self._studio.document.project.worlds if name]
         first = Item(
             WHOLE_KEY, WHOLE, "What holds in every arm, unless a world or the arm says otherwise", fixed=True
@@ -98,6 +99,7 @@ class WorldsPage(QWidget):
         if value is not None:
             own[name] = value
         if own == worlds.get(self._name, {}):
+            self.trouble.say("")
             return
         try:
             elsewhere = worlds.get("", {}) if self._name else {}

@@ -177,6 +177,8 @@ def test_worlds_are_added_set_and_deleted_unless_an_arm_names_them(
     page.worlds.choose("crowded")
     qtbot.keyClick(page.worlds.list, Qt.Key.Key_Delete)
     assert "is used by arm 'independent'" in page.trouble.text()
+    studio.undo()
+    assert not page.trouble.isVisible()  # it is not any more
 
 
 def test_values_that_do_not_go_together_are_refused_in_words(
