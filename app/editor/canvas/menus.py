@@ -80,7 +80,8 @@ def _attached(menu: QMenu, studio: Studio, frame: Frame, entity: int) -> None:
     scene = frame.scene
     numbers = np.flatnonzero(scene.held == entity).tolist()
     nodes = tuple(scene.place.agents[number] for number in numbers)
-    words = f"Select the {len(nodes)} attached to {scene.called(entity)}"
+    called = scene.called(entity)
+    words = f"Select the {len(nodes)} attached to {called}" if nodes else f"Nobody is attached to {called}"
     action = menu.addAction(words, lambda: studio.selection.select_nodes(nodes))
     action.setEnabled(bool(nodes))
     menu.addSeparator()

@@ -139,6 +139,19 @@ def test_the_right_button_offers_what_can_be_done_with_an_agent(pilot: Pilot) ->
     assert "Fit the world" in texts
 
 
+def test_the_right_button_says_where_nobody_is_attached_to_a_box(pilot: Pilot) -> None:
+    x, y = pilot.frame.places()
+    agents, boxes = pilot.frame.scene.agents, pilot.snapshot.place.spans["box"]
+    box = next(k for k in boxes if (np.hypot(x[:agents] - x[k], y[:agents] - y[k]) > 30).all())
+    pilot.down(pilot.at(box), RIGHT).up(pilot.at(box), RIGHT)
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    first = menu.actions()[0]
+    menu.close()
+    assert first.text() == f"Nobody is attached to box {box - boxes.start + 1}"
+    assert not first.isEnabled()
+
+
 def test_of_hundreds_of_controllers_the_highest_and_those_under_the_selected_are_outlined(
     pilot: Pilot,
 ) -> None:
