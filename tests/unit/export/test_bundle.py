@@ -19,8 +19,9 @@ from app.engine.models import Models
 from app.engine.runs import start_engine, treatment
 from app.engine.scenarios import open_scenario
 from app.export.bundle import bundle_of_arm, bundle_of_behavior
+from app.export.importing import bring
 from app.export.library_file import Exported, content, read, write
-from app.learner.trainer import apply, learn
+from app.learner.trainer import apply, is_stale, learn
 from app.sim.scenario import Scenario
 from app.sim.scenarios.foraging import scenario as foraging
 from tests.playground import scenario as playground
@@ -31,7 +32,7 @@ FORAGING = load(Path(__file__).parents[3] / "projects" / "foraging")
 REFERENCE = {"engine": "reference"}
 
 
-def states(project: Project, scenario: Scenario, arm: str, ticks: int) -> object:
+def states(project: Project, scenario: Scenario, arm: str, ticks: int) -> tuple[object, object]:
     """The world and what all nodes do, after some ticks."""
     models = Models(scenario.vocabulary)
     models.use(project)
@@ -54,20 +55,52 @@ def test_an_arm_runs_from_the_file_as_from_the_project(arm: str, tmp_path: Path)
     assert states(bundle, foraging, arm, 150) == states(FORAGING, foraging, arm, 150)
 
 
-@given(st.integers(0, 2**32))
-def test_random_hierarchies_of_random_behaviors_run_the_same_from_their_bundle(seed: int) -> None:
+@pytest.mark.parametrize("arm", ["independent", "two levels"])
+def test_with_its_examples_an_arm_runs_the_same_and_is_not_stale(arm: str, tmp_path: Path) -> None:
+    bundle = written(bundle_of_arm(FORAGING, foraging, arm, examples=True), tmp_path)
+    assert states(bundle, foraging, arm, 100) == states(FORAGING, foraging, arm, 100)
+    keys = [(kind, one) for kind, library in bundle.libraries.items() for one in library.automata]
+    assert all(bundle.examples_of(*key) for key in keys)
+    assert not any(is_stale(bundle, *key) for key in keys)
+
+
+def random_project(seed: int) -> Project | None:
+    """Random behaviors and a random hierarchy whose roots run one of them; None where that cannot run by itself."""
     random = Random(seed)
     types = playing_types(random)
     forest = random_forest(random, TYPES)
-    names = [set(types.repertoire(root.type)) for root in forest.roots]
-    top = sorted(set.intersection(*names))[seed % len(set.intersection(*names))]
+    names = sorted(set.intersection(*(set(types.repertoire(root.type)) for root in forest.roots)))
+    top = names[seed % len(names)]
     if any(types.repertoire(root.type)[top].parameters for root in forest.roots):
-        return  # it cannot run by itself
+        return None
     libraries = {node_type.name: types.library(node_type.name) for node_type in TYPES}
-    arm = Arm("arm", forest, top)
-    project = Project("random", "playground", TYPES, libraries=libraries, arms=(arm,))
+    return Project("random", "playground", TYPES, libraries=libraries, arms=(Arm("arm", forest, top),))
+
+
+@given(st.integers(0, 2**32))
+def test_random_hierarchies_of_random_behaviors_run_the_same_from_their_bundle_and_imported(
+    seed: int,
+) -> None:
+    project = random_project(seed)
+    if project is None:
+        return
     bundle = bundle_of_arm(project, playground, "arm")
-    assert states(bundle, playground, "arm", 25) == states(project, playground, "arm", 25)
+    there = states(project, playground, "arm", 25)
+    assert states(bundle, playground, "arm", 25) == there
+    imported = bring(Project("other", "playground", ()), playground, bundle, with_arm=True)
+    assert states(imported.project, playground, "arm", 25) == there
+    assert bring(imported.project, playground, bundle, with_arm=True).project is imported.project
+
+
+@given(st.integers(0, 2**32), st.integers(0, 2**32))
+def test_what_was_imported_does_what_it_did_whatever_has_the_same_names(seed: int, other: int) -> None:
+    project, into = random_project(seed), random_project(other)
+    if project is None or into is None:
+        return
+    bundle = bundle_of_arm(project, playground, "arm")
+    imported = bring(into, playground, bundle, with_arm=True)
+    world, _ = states(project, playground, "arm", 25)
+    assert states(imported.project, playground, imported.arm, 25)[0] == world
 
 
 def test_only_what_is_used_is_taken_along() -> None:
