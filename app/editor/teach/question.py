@@ -71,8 +71,9 @@ class QuestionBar(QFrame):
 
     def _fit_words(self) -> None:
         """Docks do not ask how high wrapped words are, so they have to be told."""
-        width = max(1, self.width() - LEFT - RIGHT)
-        self.words.setFixedHeight(self.words.heightForWidth(width))
+        if self.words.text():  # where nothing was asked yet, there is no height
+            width = max(1, self.width() - LEFT - RIGHT)
+            self.words.setFixedHeight(self.words.heightForWidth(width))
 
     def clear(self) -> None:
         """There is no question."""
