@@ -220,4 +220,4 @@ class Bridge(QObject):
 
 def _mode(snapshot: Snapshot) -> object:
     plan = None if snapshot.lesson is None else snapshot.lesson.plan
-    return snapshot.mode, snapshot.speed, snapshot.failure, plan, snapshot.tick > 0
+    return snapshot.mode, snapshot.speed, snapshot.failure, plan, snapshot.tick > snapshot.earliest

@@ -48,6 +48,11 @@ class LiveWorld:
         """The tick that comes next."""
         return self.engine.tick
 
+    @property
+    def earliest(self) -> int:
+        """The first tick that can be gone back to; the one that is now while nothing is kept."""
+        return self.tick if self._timeline is None else self._timeline.beginning
+
     def columns(self) -> Columns:
         """Its columns.
 

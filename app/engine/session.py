@@ -113,6 +113,7 @@ class Session(Course):
             lesson=replace(self._lesson.view(), obstacle=self._transcript.obstacle) if self._lesson else None,
             asked=self._asked,
             going_to=self._clock.going_to,
+            earliest=world.earliest,
         )
 
     def _watched(self) -> Mapping[str, Watched]:

@@ -140,6 +140,7 @@ class Snapshot:
         lesson: What is being taught or tested, if anything is.
         asked: What the user has been asked and has not answered yet.
         going_to: The tick that a `GoTo` is on its way to.
+        earliest: The first tick of the run that can be gone back to.
     """
 
     acknowledged: int
@@ -161,6 +162,7 @@ class Snapshot:
     lesson: LessonView | None = None
     asked: Asked | None = None
     going_to: int | None = None
+    earliest: int = field(default=0, compare=False)
 
     __hash__ = None  # type: ignore[assignment]  # arrays have none
 

@@ -72,15 +72,23 @@ def has_arm(studio: Studio) -> bool:
 def can_go_back(studio: Studio) -> bool:
     """Whether there is an earlier tick, and nobody is taught."""
     snapshot = studio.snapshot
-    return snapshot is not None and snapshot.mode is Mode.RUNNING and snapshot.tick > 0
+    return snapshot is not None and snapshot.mode is Mode.RUNNING and snapshot.tick > snapshot.earliest
 
 
 def go_back(studio: Studio, ticks: int | None = None) -> None:
-    """Show the world some ticks earlier, or as it began."""
+    """Show the world some ticks earlier, or as it began; where that cannot be, as early as it can, which is told."""
     snapshot = studio.snapshot
-    if snapshot is not None:
-        studio.bridge.send(Pause())
-        studio.bridge.send(GoTo(0 if ticks is None else max(0, snapshot.tick - ticks)))
+    if snapshot is None:
+        return
+    wanted = 0 if ticks is None else snapshot.tick - ticks
+    studio.bridge.send(Pause())
+    studio.bridge.send(GoTo(max(snapshot.earliest, wanted)))
+    if ticks is None and snapshot.earliest > 0:
+        studio.say(
+            f"this run can be gone back in to tick {snapshot.earliest:,}: what came before ran with other behaviors, or "
+            "someone was taught",
+            (("Reset", studio.actions["run.reset"].trigger),),
+        )
 
 
 def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
@@ -123,7 +131,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "Run",
             go_back,
             keys="Home",
-            tip="Show the world as it began; not while somebody is taught",
+            tip="Show the world as it began, or as early as it is known; not while somebody is taught",
             icon="skip-backward",
             enabled=can_go_back,
         ),

@@ -181,6 +181,16 @@ def test_after_an_edit_of_behaviors_it_is_gone_back_in_to_there() -> None:
     assert at(driver, 10).tick == 10
 
 
+def test_a_snapshot_tells_how_far_the_run_can_be_gone_back_in() -> None:
+    driver = Driver().advance(10)
+    assert driver.snapshot.earliest == 0
+    driver.edit(add_state, AGENT, "Stroll", Basic("Jump")).advance(3)
+    assert driver.snapshot.earliest == 10
+    driver.teach("agent-1", "Shuttle").advance(2)
+    assert driver.snapshot.earliest == driver.snapshot.tick
+    assert driver.run().advance().snapshot.earliest == driver.snapshot.tick - 1
+
+
 def test_other_edits_leave_the_past_as_it_is() -> None:
     looks = straight(30, "alone")
     driver = Driver(seed=3).advance(20).edit(rename_arm, "groups", "teams")
