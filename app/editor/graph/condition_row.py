@@ -17,7 +17,7 @@ from ...core.conditions import AtMost, Condition, Equals, InArc
 from ...core.features import FeatureUse, Source
 from ...core.phrasing import in_degrees, unit_of
 from ...core.vocabulary import Feature, FeatureKind
-from .list_choice import ListChoice
+from ..forms.list_choice import ListChoice
 from .number_field import NumberField
 from .offers import Choice
 

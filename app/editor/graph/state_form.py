@@ -10,10 +10,10 @@ from ...core.automaton import START, Automaton, RaiseFlag, State
 from ...core.edits import bind_state, note_state, order_rules, remove_rule, rename_state, set_content
 from ...core.edits.bindings import bindings_of
 from ...core.wording import content_words, rule_words, state_words
+from ..forms.list_choice import ListChoice
 from ..forms.parts import Item, OrderedList, caption
 from ..forms.tab_order import tab_through
 from . import offers
-from .list_choice import ListChoice
 from .scoping import Scoping
 
 if TYPE_CHECKING:

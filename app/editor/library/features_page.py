@@ -34,7 +34,7 @@ class FeaturesPage(QWidget):
         self.new = SourceForm()
         self.new.changed.connect(self._ready)
         self.new.what.field.textChanged.connect(lambda _: self._ready())
-        self.new.what.entered.connect(self._add)
+        self.new.what.entered.connect(self._entered)
         self.add = QPushButton("Add feature")
         self.add.setToolTip("Let the behavior look at this, too")
         self.add.setAutoDefault(False)
@@ -130,6 +130,11 @@ class FeaturesPage(QWidget):
         typed = bool(self.new.what.currentText().strip())
         self.missing.setText(missing[:1].upper() + missing[1:] + "." if missing and typed else "")
         self.missing.setVisible(bool(self.missing.text()))
+
+    def _entered(self) -> None:
+        """Enter goes on to what is left to choose, or else adds the feature."""
+        if not self.new.go_on():
+            self._add()
 
     def _add(self) -> None:
         source, automaton, scope = self.new.source, self._automaton, self._editing.scope

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from ...core.edits import rename_automaton, rename_parameter, set_note, set_parameters
 from ...core.naming import fresh_name
+from ..forms.list_choice import ListChoice
 from ..forms.parts import Complaint, Item, OrderedList, caption, framed
 from .editing import Editing
 
@@ -51,7 +51,7 @@ class GeneralPage(QWidget):
         self.name_trouble = Complaint(theme)
         self.name.textEdited.connect(self._name_typed)
         self.name.editingFinished.connect(self._name_done)
-        self.types = QComboBox()
+        self.types = ListChoice()
         self.types.setAccessibleName("Node type")
         self.types.setToolTip("Whose behavior it is: each node type has a library of its own")
         self.types.addItems(types)

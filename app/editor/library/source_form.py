@@ -21,7 +21,7 @@ from ...core.features import (
     TicksInState,
     describe,
 )
-from ...core.vocabulary import STANDARD_FLAGS, Feature
+from ...core.vocabulary import STANDARD_FLAGS, Feature, FeatureKind
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import SlotForm
 
@@ -34,6 +34,9 @@ OPERATIONS: Mapping[Operation, tuple[str, str]] = {
     Operation.MIN: ("least", "The least of their values"),
     Operation.MAX: ("greatest", "The greatest of their values"),
 }
+#: What says something of facts, and of measures.
+COUNTING = (Operation.ANY, Operation.ALL, Operation.COUNT)
+MEASURING = (Operation.MEAN, Operation.MIN, Operation.MAX)
 OVERS: Mapping[Over, tuple[str, str]] = {
     Over.AGENTS: ("all agents below", "However deep they stand"),
     Over.SUBSIDIARIES: ("direct subsidiaries", "Only those right below the controller"),
@@ -94,7 +97,7 @@ class SourceForm(QWidget):
             offered.append(Choice(describe(source) if source else "", plain))
         self.what.offer(offered, plain)
         if isinstance(source, Statistic):
-            self.operation.setCurrentIndex(list(OPERATIONS).index(source.operation))
+            self._offer_operations(source.operation)
             self.over.setCurrentIndex(list(OVERS).index(source.over))
         self._show_parts()
 
@@ -136,10 +139,37 @@ class SourceForm(QWidget):
         known = self._scope.vocabulary if sort is Sort.SENSE else self._scope.statistics
         return known.features.get(inner.feature)
 
-    def _what_chosen(self, choice: Choice | None) -> None:
+    def go_on(self) -> bool:
+        """Let the keys go to what is to be chosen after what is looked at; whether there is anything."""
+        choice = self.what.choice
+        self._show_choice()
+        parts: list[QWidget] = list(self.slots.boxes.values())
+        if choice is not None and _value(choice)[0] is Sort.STATISTIC:
+            parts.insert(0, self.over)
+        if parts:
+            parts[0].setFocus(Qt.FocusReason.TabFocusReason)
+        return bool(parts)
+
+    def _show_choice(self) -> None:
+        self._offer_operations()
         self._show_parts()
+
+    def _what_chosen(self, choice: Choice | None) -> None:
+        self._show_choice()
         if choice is not None:
             self.changed.emit()
+
+    def _offer_operations(self, chosen: Operation | None = None) -> None:
+        """Offer the operations that fit what is summed up, and *chosen* if it is another."""
+        choice = self.what.choice
+        feature = None if choice is None else self._feature(choice)
+        is_fact = feature is None or feature.kind is FeatureKind.BOOLEAN  # flags are facts as well
+        fitting = list(COUNTING if is_fact else MEASURING)
+        fitting += [chosen] if chosen is not None and chosen not in fitting else []
+        if fitting != [self.operation.itemData(k) for k in range(self.operation.count())]:
+            _fill(self.operation, {operation: OPERATIONS[operation] for operation in fitting})
+        if chosen is not None:
+            self.operation.setCurrentIndex(fitting.index(chosen))
 
     def _show_parts(self) -> None:
         choice, scope = self.what.choice, self._scope
@@ -203,7 +233,14 @@ def _box(
     box = QComboBox()
     box.setAccessibleName(name)
     box.setToolTip(name)
+    _fill(box, entries)
+    return box
+
+
+def _fill(
+    box: QComboBox, entries: Mapping[Operation, tuple[str, str]] | Mapping[Over, tuple[str, str]]
+) -> None:
+    box.clear()
     for value, (words, tip) in entries.items():
         box.addItem(words, value)
         box.setItemData(box.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-    return box

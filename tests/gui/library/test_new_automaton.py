@@ -42,6 +42,17 @@ def choose(chooser: Chooser, qtbot: QtBot, text: str) -> None:
     qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
 
 
+def choose_type(dialog: NewAutomatonDialog, qtbot: QtBot, place: int) -> None:
+    types = dialog.general.types
+    types.setFocus()
+    qtbot.keyClick(types, Qt.Key.Key_Down)
+    view = types.view()
+    qtbot.waitUntil(view.isVisible, timeout=PATIENCE)
+    for _ in range(place):
+        qtbot.keyClick(view, Qt.Key.Key_Down)
+    qtbot.keyClick(view, Qt.Key.Key_Return)
+
+
 def press_ok(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
     button = dialog.buttons.button(QDialogButtonBox.StandardButton.Ok)
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
@@ -125,9 +136,7 @@ def test_what_happened_to_the_project_meanwhile_is_kept(
 def test_a_controller_is_made_from_what_its_subsidiaries_can_do(
     dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
 ) -> None:
-    types = dialog.general.types
-    types.setFocus()
-    qtbot.keyClick(types, Qt.Key.Key_Down)
+    choose_type(dialog, qtbot, 1)
     name_it(dialog, qtbot, "Lead")
     dialog.tabs.setCurrentWidget(dialog.states)
     choose(dialog.states.new, qtbot, "Forage")
@@ -219,14 +228,36 @@ def test_enter_on_what_is_offered_chooses_it_so_that_its_bindings_can_be_seen_fi
     assert [use.shown for use in dialog.draft.automaton.features] == ["ICanSeeABox"]
 
 
-def test_tab_goes_from_what_a_feature_looks_at_to_what_that_leaves_open(
+def test_enter_and_tab_go_from_what_a_feature_looks_at_to_what_that_leaves_open(
     dialog: NewAutomatonDialog, qtbot: QtBot
 ) -> None:
     dialog.tabs.setCurrentWidget(dialog.features)
     form = dialog.features.new
     choose(form.what, qtbot, "DistanceTo(target)")
-    qtbot.waitUntil(form.slots.boxes["target"].isVisible)
+    target = form.slots.boxes["target"]
+    qtbot.waitUntil(target.isVisible)
+    assert dialog.focusWidget() is target
+    form.what.setFocus()
     qtbot.keyClick(form.what.field, Qt.Key.Key_Tab)
-    assert dialog.focusWidget() is form.slots.boxes["target"]
-    qtbot.keyClick(dialog.focusWidget(), Qt.Key.Key_Tab)
-    assert dialog.focusWidget() is not form.slots.boxes["target"]
+    assert dialog.focusWidget() is target
+
+
+def test_any_node_type_is_chosen_by_keys(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    wanted = dialog.general.types.itemText(2)
+    choose_type(dialog, qtbot, 2)
+    assert dialog.draft.type == wanted
+
+
+def test_what_is_summed_up_decides_how_it_can_be(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    choose_type(dialog, qtbot, 1)
+    dialog.tabs.setCurrentWidget(dialog.features)
+    form = dialog.features.new
+
+    def offered() -> list[str]:
+        return [form.operation.itemText(k) for k in range(form.operation.count())]
+
+    choose(form.what, qtbot, "agents' IAmAttachedToABox")
+    assert offered() == ["somebody", "everybody", "how many"]
+    assert dialog.focusWidget() is form.over  # Enter goes on to what is left to choose
+    choose(form.what, qtbot, "agents' DistanceTo(target)")
+    assert offered() == ["mean", "least", "greatest"]
