@@ -31,6 +31,7 @@ class IdlePage(QWidget):
         self.teach = QPushButton("Teach")
         self.teach.setDefault(False)
         self.teach.clicked.connect(studio.actions["teach.teach"].trigger)
+        studio.teaching.choosing.changed.connect(self._make_room)  # before the row takes it
         self.targets = TargetRow(studio)
         self.filed = QLineEdit(placeholderText="demonstration")
         self.filed.setToolTip(
@@ -44,13 +45,14 @@ class IdlePage(QWidget):
         self.keep.toggled.connect(lambda on: studio.teaching.keeping.set_on(on=on))
         filed = QLabel("demonstration")
         filed.setProperty("role", "caption")
+        self._filing = filed, self.filed, self.keep
         first, second = QHBoxLayout(), QHBoxLayout()
         first.setSpacing(16)
         first.addWidget(self.words, 1)
         first.addWidget(self.teach, 0, Qt.AlignmentFlag.AlignTop)
         second.addWidget(self.targets)
         second.addStretch(1)
-        for widget in (filed, self.filed, self.keep):
+        for widget in self._filing:
             second.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
@@ -77,6 +79,11 @@ class IdlePage(QWidget):
         self._show_keeping()
         if not self.filed.hasFocus():
             self.filed.setText(teaching.demonstration)
+
+    def _make_room(self) -> None:
+        """Hide what is not needed while a target is chosen: the window would become wider."""
+        for widget in self._filing:
+            widget.setVisible(not self._studio.teaching.choosing.is_busy)
 
     def _show_keeping(self) -> None:
         """Whether the next lesson would be kept, and why it could not be."""

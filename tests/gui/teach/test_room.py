@@ -29,6 +29,19 @@ def test_a_window_keeps_its_size_whatever_is_taught_and_tested(hand: Hand) -> No
     assert {dock: dock.width() for dock in sides} == sides
 
 
+def test_while_a_target_is_chosen_nothing_else_takes_room(hand: Hand) -> None:
+    hand.show("GatherAt", "agent-3")
+    idle = hand.panel.idle
+    hand.key(Qt.Key.Key_T)
+    hand.wait(lambda: hand.studio.teaching.choosing.is_busy)
+    assert not idle.filed.isVisible()
+    assert not idle.keep.isVisible()
+    hand.key(Qt.Key.Key_Escape)
+    hand.wait(lambda: not hand.studio.teaching.choosing.is_busy)
+    assert idle.filed.isVisible()
+    assert idle.keep.isVisible()
+
+
 def test_what_to_do_is_said_in_a_small_window_too(hand: Hand) -> None:
     hand.window.resize(*SMALL)
     hand.show("GatherAt", "agent-3")
