@@ -167,6 +167,7 @@ QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
+QListWidget QLineEdit {{ border: none; border-radius: 0; padding: 0 3px; }}
 QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {hover}; }}
 QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus {{
     border-color: {colors.accent}; }}

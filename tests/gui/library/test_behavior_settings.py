@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import Automaton, Basic, Nested, Sampling
@@ -214,3 +215,13 @@ def test_the_dialog_says_when_its_behavior_is_gone_and_goes_on_after_undo(
     assert dialog.gone.isVisible()
     studio.undo()
     assert not dialog.gone.isVisible()
+
+
+def test_a_name_that_is_typed_in_a_list_is_not_cut(dialog: BehaviorDialog, qtbot: QtBot) -> None:
+    qtbot.mouseClick(dialog.general.add, LEFT)
+    field = dialog.general.parameters.list.findChild(QLineEdit)
+    assert isinstance(field, QLineEdit)
+    option = QStyleOptionFrame()
+    field.initStyleOption(option)
+    room = field.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, field)
+    assert room.height() >= field.fontMetrics().height()
