@@ -9,10 +9,9 @@ from PySide6.QtCore import Qt, QUrl, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QTextBrowser, QWidget
 
-from ...engine.snapshots import Mode
 from ..actions import ActionRow
 from ..selection import BehaviorKey
-from ..soon import Later
+from ..soon import Later, Soon
 from .telling import LevelTold, Told, tell, tell_why_not
 
 if TYPE_CHECKING:
@@ -57,6 +56,7 @@ class InspectorPanel(QWidget):
         self._pages.addWidget(self.text)
         self.setFocusProxy(self.text)
         self._live = Later(self, self.refresh, READING)
+        self._soon = Soon(self, self.refresh)
         studio.bridge.snapshot_changed.connect(self._later)
         studio.document.project_changed.connect(self._later)
         studio.bridge.mode_changed.connect(self._later)
@@ -70,11 +70,12 @@ class InspectorPanel(QWidget):
 
     def _later(self) -> None:
         if self.isVisible():
-            self._live.ask()
+            told = None if self._told is None else self._told.node
+            (self._live if told == (self._studio.selection.node or None) else self._soon).ask()
 
     def _other(self) -> None:
         self._why_not = ""
-        self._live.hurry()
+        self._soon.ask()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Say what has happened while nobody looked."""
@@ -88,6 +89,8 @@ class InspectorPanel(QWidget):
         self._told = None
         if snapshot is not None and node:
             self._told = tell(studio.document.project, studio.document.scenario.vocabulary, snapshot, node)
+            if self._told is None and node in snapshot.place.rows:
+                return  # the next snapshot tells of it
         self._pages.setCurrentIndex(0 if self._told is None else 1)
         self.title_changed.emit("Why")
         if self._told is not None and snapshot is not None:
@@ -109,7 +112,7 @@ class InspectorPanel(QWidget):
         parts += [self._sentence(number, reason) for number, reason in enumerate(told.reasons)]
         if not told.reasons and told.basic:
             parts.append(f"<p>It does {escape(told.basic)}, as it was told.</p>")
-        parts.append(self._links(told, snapshot))
+        parts.append(self._links(told))
         if self._why_not:
             document = self._studio.document
             scenario = document.scenario.vocabulary
@@ -135,13 +138,14 @@ class InspectorPanel(QWidget):
         )
         return f"<p>{words}.{link}</p>"
 
-    def _links(self, told: Told, snapshot: Snapshot) -> str:
+    def _links(self, told: Told) -> str:
         links = [
             f'<a href="whynot:{number}">Why not {escape(name)}?</a>'
             for level in told.levels[:1]
             for number, (_, name) in enumerate(level.others)
         ]
-        if snapshot.mode is Mode.TESTING:
+        teaching = self._studio.teaching
+        if teaching.can_mend and teaching.node == told.node:
             links.append('<a href="wrong:">It should have stayed</a>')
         return f"<p>{' · '.join(links)}</p>" if links else ""
 
