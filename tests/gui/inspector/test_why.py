@@ -61,7 +61,7 @@ class Reader:
             if href:
                 texts[href] = texts.get(href, "") + document.characterAt(position - 1)
                 places.setdefault(href, self.panel.text.cursorRect(cursor).center())
-        yield from ((texts[href].replace("\xa0", " "), places[href]) for href in texts)
+        yield from ((texts[href].strip(), places[href]) for href in texts)
 
     def click(self, words: str) -> None:
         """Click the underlined words."""
