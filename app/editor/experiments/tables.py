@@ -79,12 +79,21 @@ class TextTable(QAbstractTableModel):
 
 
 class _Table(QTableView):
-    """Columns that do not fit in are fitted when it gets another size, too."""
+    """Columns that do not fit in are fitted when it gets another size, too; Home and End go to the first and last row."""
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """See above."""
         super().resizeEvent(event)
         _narrow(self)
+
+    def moveCursor(
+        self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
+    ) -> QModelIndex:
+        """See above: rows are what is chosen, and Qt's own Home and End stay in their row."""
+        ends = (QAbstractItemView.CursorAction.MoveHome, QAbstractItemView.CursorAction.MoveEnd)
+        if action in ends:
+            modifiers |= Qt.KeyboardModifier.ControlModifier
+        return super().moveCursor(action, modifiers)
 
 
 def table_view(model: QAbstractTableModel, name: str, *, wrapped: bool = False) -> QTableView:

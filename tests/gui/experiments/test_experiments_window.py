@@ -220,6 +220,9 @@ def test_the_runs_are_sorted_by_what_they_came_to_and_the_chosen_one_stays_chose
         seeds = [row.seed for row in page.model.rows]
         assert seeds == sorted(seeds, reverse=descending)
         assert page.chosen == chosen
+    for key, row in ((Qt.Key.Key_End, -1), (Qt.Key.Key_Home, 0)):
+        qtbot.keyClick(page.table, key)
+        assert page.chosen == page.model.rows[row]
 
 
 def test_an_experiment_is_built_by_hand_and_runs(
