@@ -4,6 +4,7 @@ import gc
 import logging
 import signal
 import sys
+from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -27,7 +28,7 @@ SWITCH = 0.00025
 #: counts free nearly everything anyway: young objects are looked through after so many, old ones hardly ever.
 GARBAGE = (2_000, 5, 5_000)
 #: What takes long to import and is not needed at once, and after how many milliseconds it is imported all the same.
-LATER, AHEAD = ".plots.lines_view", 2_000
+LATER, AHEAD = (".plots.lines_view", ".experiments.window"), 2_000
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG,
     QtMsgType.QtInfoMsg: logging.INFO,
@@ -119,7 +120,12 @@ def make_window(application: QApplication, settings: Settings) -> MainWindow:
 
 def _import_later_things() -> None:
     """In a thread, so that the window is not held up now, nor when a panel is looked at first."""
-    Thread(target=import_module, args=(LATER, __package__), name="ahead", daemon=True).start()
+    Thread(target=_import_all, args=(LATER,), name="ahead", daemon=True).start()
+
+
+def _import_all(modules: Sequence[str]) -> None:
+    for module in modules:
+        import_module(module, __package__)
 
 
 def _log(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:
