@@ -210,6 +210,11 @@ class Studio(QObject):
         """What moves things in the world that is shown."""
         return str(self._settings.get("physics", "kinematic"))
 
+    @property
+    def departures(self) -> Mapping[str, Value]:
+        """How the world that is shown departs from its arm, physics aside: that of a run may."""
+        return {name: value for name, value in self._settings.items() if name != "physics"}
+
     def use_physics(self, physics: str) -> None:
         """Begin the arm again in a world of other physics."""
         if self._arm:

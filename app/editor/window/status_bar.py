@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what changes slowly.
 SLOWLY = 500
+#: How such a world is left.
+BACK = "Choosing the arm again begins its own world."
 
 
 class StatusBar(QStatusBar):
@@ -67,9 +69,15 @@ class StatusBar(QStatusBar):
                 " · ".join(f"{name} {count:,g}" for name, count in snapshot.measures.items())
             )
             place = snapshot.place
-            self.scenario.setText(f"{place.scenario} · {place.physics}")
+            departures = [f"{name} {value}" for name, value in self._studio.departures.items()]
+            self.scenario.setText(" · ".join((place.scenario, place.physics, *departures)))
             bodies = self._studio.document.scenario.bodies
-            self.scenario.setToolTip(physics_words(place.physics, bodies, place.parameters))
+            words = [physics_words(place.physics, bodies, place.parameters)]
+            if departures:
+                words.append(
+                    f"Unlike the arm, as in the run that was opened: {', '.join(departures)}. {BACK}"
+                )
+            self.scenario.setToolTip("\n".join(words))
             self.notice.setText(snapshot.notice)
         self.learner.setText(self._learner_words())
         self.saved.setText(self._saved_words())

@@ -18,6 +18,7 @@ from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
+from app.editor.window.status_bar import StatusBar
 from app.engine.scenarios import open_scenario
 from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
@@ -289,3 +290,16 @@ def test_the_field_of_the_seed_takes_no_more_room_than_the_seed(window: MainWind
     seed.selectAll()
     qtbot.keyClicks(seed, "7")
     qtbot.waitUntil(lambda: seed.width() == few)
+
+
+def test_a_world_that_departs_from_its_arm_says_how_until_the_arm_is_chosen_again(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    bar = window.statusBar()
+    assert isinstance(bar, StatusBar)
+    window.studio.use_arm("independent", {"boxes": 20})
+    qtbot.waitUntil(lambda: bar.scenario.text() == "foraging · kinematic · boxes 20", timeout=PATIENCE)
+    window.toolbar.arm.setFocus()
+    qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Down)
+    qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Up)
+    qtbot.waitUntil(lambda: bar.scenario.text() == "foraging · kinematic", timeout=PATIENCE)
