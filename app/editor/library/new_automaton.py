@@ -7,19 +7,16 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QVBoxLayout, QWidget
 
 from ...core.edits import add_automaton, describe, rename_automaton
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
-from ..forms.late_pages import LatePages
 from ..forms.parts import Complaint
 from ..selection import BehaviorKey
 from .editing import DraftEditing
 from .features_page import FeaturesPage
-from .general_page import GeneralPage
-from .learner_page import LearnerPage
-from .settings_dialog import FEATURES, GENERAL, LEARNER, STATES
+from .pages_dialog import PagesDialog
 from .states_page import StatesPage
 
 if TYPE_CHECKING:
@@ -48,7 +45,7 @@ def _usual_type(studio: Studio) -> str:
     return "" if shown is None else shown.type
 
 
-class NewAutomatonDialog(QDialog):
+class NewAutomatonDialog(PagesDialog):
     """Name, parameters, states, features and learner of a behavior to come.
 
     Attributes:
@@ -57,11 +54,9 @@ class NewAutomatonDialog(QDialog):
 
     def __init__(self, studio: Studio, type_name: str, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("new-automaton")
         self.setWindowTitle("New automaton")
         self._studio = studio
-        self.tabs = LatePages()
         self.trouble = Complaint(studio.theme)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -73,29 +68,7 @@ class NewAutomatonDialog(QDialog):
         column.addWidget(self.tabs, 1)
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
-        self.resize(620, 460)
         self._begin(type_name, "")
-        self.finished.connect(self._stop_validating)
-
-    @property
-    def general(self) -> GeneralPage:
-        """For whom, name, parameters, note."""
-        return self.tabs.page(GENERAL, GeneralPage)
-
-    @property
-    def states(self) -> StatesPage:
-        """What the states hold."""
-        return self.tabs.page(STATES, StatesPage)
-
-    @property
-    def features(self) -> FeaturesPage:
-        """What it looks at."""
-        return self.tabs.page(FEATURES, FeaturesPage)
-
-    @property
-    def learner(self) -> LearnerPage:
-        """How it learns."""
-        return self.tabs.page(LEARNER, LearnerPage)
 
     def _begin(self, type_name: str, name: str) -> None:
         """Begin a draft in the library of a type."""
@@ -104,22 +77,10 @@ class NewAutomatonDialog(QDialog):
         begin = partial(add_automaton, type_name=type_name, name=name or fresh_name(taken, UNNAMED))
         self.draft = DraftEditing(self._studio, begin, type_name)
         types = tuple(node_type.name for node_type in project.types)
-        self._stop_validating()
-        self.tabs.offer(
-            {
-                GENERAL: partial(GeneralPage, self.draft, types),
-                STATES: partial(StatesPage, self.draft),
-                FEATURES: partial(FeaturesPage, self.draft),
-                LEARNER: partial(LearnerPage, self.draft),
-            }
-        )
+        self._offer(self.draft, types)
         self.general.type_chosen.connect(self._retype)
         self.general.name.selectAll()
         self.general.name.setFocus()
-
-    def _stop_validating(self) -> None:
-        for page in self.tabs.made(LearnerPage):
-            page.validation.close()
 
     def _retype(self, type_name: str) -> None:
         """Another type has other behaviors and features: all but the name begins anew."""

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ..forms.buttons import closing
-from ..forms.late_pages import LatePages
 from ..selection import BehaviorKey
 from .editing import LiveEditing
-from .features_page import FeaturesPage
-from .general_page import GeneralPage
-from .learner_page import LearnerPage
-from .states_page import StatesPage
+from .pages_dialog import GENERAL, PagesDialog
 
 if TYPE_CHECKING:
     from ..studio import Studio
-
-#: Names of the pages.
-GENERAL, STATES, FEATURES, LEARNER = "General", "States", "Features", "Learner"
 
 
 def behavior_settings(
@@ -50,7 +41,7 @@ def behavior_settings(
     return dialog
 
 
-class BehaviorDialog(QDialog):
+class BehaviorDialog(PagesDialog):
     """The settings of one behavior; every change is done at once and can be undone.
 
     Attributes:
@@ -59,61 +50,22 @@ class BehaviorDialog(QDialog):
 
     def __init__(self, studio: Studio, behavior: BehaviorKey, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("behavior-settings")
         self.behavior = behavior
         self._studio = studio
         self._editing = LiveEditing(studio, behavior.type, behavior.id)
         self._editing.setParent(self)
-        self.tabs = LatePages()
-        self.tabs.offer(
-            {
-                GENERAL: partial(GeneralPage, self._editing),
-                STATES: partial(StatesPage, self._editing),
-                FEATURES: partial(FeaturesPage, self._editing),
-                LEARNER: partial(LearnerPage, self._editing),
-            }
-        )
+        self._offer(self._editing)
         self.gone = QLabel("This behavior is gone; undo brings it back.")
         self.gone.setProperty("role", "empty")
         column = QVBoxLayout(self)
         column.addWidget(self.tabs, 1)
         column.addWidget(self.gone)
         column.addWidget(closing(self))
-        self.resize(620, 460)
         self._editing.changed.connect(self._refresh)
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)
-        self.finished.connect(self._finished)
         self._refresh()
-
-    @property
-    def general(self) -> GeneralPage:
-        """Name, parameters, note."""
-        return self.tabs.page(GENERAL, GeneralPage)
-
-    @property
-    def states(self) -> StatesPage:
-        """What the states hold."""
-        return self.tabs.page(STATES, StatesPage)
-
-    @property
-    def features(self) -> FeaturesPage:
-        """What it looks at."""
-        return self.tabs.page(FEATURES, FeaturesPage)
-
-    @property
-    def learner(self) -> LearnerPage:
-        """How it learns."""
-        return self.tabs.page(LEARNER, LearnerPage)
-
-    def turn_to(self, page: str) -> None:
-        """Show a page by its name."""
-        self.tabs.turn_to(page)
-
-    def _finished(self) -> None:
-        for page in self.tabs.made(LearnerPage):
-            page.validation.close()
 
     def _refresh(self) -> None:
         automaton = self._editing.automaton
