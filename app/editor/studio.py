@@ -213,7 +213,8 @@ class Studio(QObject):
     @property
     def departures(self) -> Mapping[str, Value]:
         """How the world that is shown departs from its arm, physics aside: that of a run may."""
-        return {name: value for name, value in self._settings.items() if name != "physics"}
+        settings = self._settings.items()
+        return {name.removeprefix("world."): value for name, value in settings if name != "physics"}
 
     def use_physics(self, physics: str) -> None:
         """Begin the arm again in a world of other physics."""

@@ -297,8 +297,9 @@ def test_a_world_that_departs_from_its_arm_says_how_until_the_arm_is_chosen_agai
 ) -> None:
     bar = window.statusBar()
     assert isinstance(bar, StatusBar)
-    window.studio.use_arm("independent", {"boxes": 20})
+    window.studio.use_arm("independent", {"world.boxes": 20})
     qtbot.waitUntil(lambda: bar.scenario.text() == "foraging · kinematic · boxes 20", timeout=PATIENCE)
+    assert "Choosing the arm again begins its own world" in bar.scenario.toolTip()
     window.toolbar.arm.setFocus()
     qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Down)
     qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Up)
