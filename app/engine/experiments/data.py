@@ -16,7 +16,7 @@ def runs_csv(experiment: Experiment, made: Iterable[Row]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     others = ["run", "seed", "ticks", *measures, "stalled", "agent_ticks", "seconds"]
-    writer.writerow(["arm", *_factors(experiment, others), *others])
+    writer.writerow(["arm", *experiment.factor_heads(others), *others])
     for before, after, found in rows:
         writer.writerow([*before, *(found.get(name, "") for name in measures), *after])
     return out.getvalue()
@@ -34,12 +34,6 @@ def _runs(
         yield before, after, dict(row.measures)
 
 
-def _factors(experiment: Experiment, others: Sequence[str]) -> list[str]:
-    """The heads of the columns of factors, told apart from the *others*: boxes can be varied and counted."""
-    taken = {"arm", *others}
-    return [f"{f.name} (factor)" if f.name in taken else f.name for f in experiment.factors]
-
-
 def curves_csv(found: Findings) -> str:
     """Means over time with the bounds of their 95% confidence intervals, one line a sample of a measure in a cell."""
     experiment = found.experiment
@@ -47,7 +41,7 @@ def curves_csv(found: Findings) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     others = ["measure", "tick", "mean", "low", "high", "runs"]
-    writer.writerow(["arm", *_factors(experiment, others), *others])
+    writer.writerow(["arm", *experiment.factor_heads(others), *others])
     for summary in found.summaries:
         if not summary.runs:
             continue

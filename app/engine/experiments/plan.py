@@ -1,6 +1,6 @@
 """What an experiment compares, as frozen values: arms, factors, claims and figures."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from itertools import product
@@ -151,6 +151,11 @@ class Experiment:
     claims: tuple[Claim, ...] = ()
     panels: tuple[Panel, ...] = (Panel(""),)
     note: str = ""
+
+    def factor_heads(self, others: Collection[str]) -> list[str]:
+        """What columns of factors are called in a table beside *others*: boxes can be varied and counted."""
+        taken = {"arm", *others}
+        return [f"{f.name} (factor)" if f.name in taken else f.name for f in self.factors]
 
     def cells(self) -> tuple[Cell, ...]:
         """All combinations that are run, arm by arm within each combination of levels."""

@@ -1,6 +1,6 @@
 """What an experiment came to, for programs (a JSON document) and for people (Markdown)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -68,7 +68,8 @@ def _claim(judged: Judged) -> dict[str, Any]:
 
 def arm_columns(found: Findings) -> list[str]:
     """The head of the table of arms."""
-    return ["arm", *_where_columns(found.experiment), "runs", *measures_in(found), "stalled", "agent-ticks/s"]
+    others = ["runs", *measures_in(found), "stalled", "agent-ticks/s"]
+    return ["arm", *_where_columns(found.experiment, others), *others]
 
 
 def arm_rows(found: Findings) -> list[list[str]]:
@@ -88,14 +89,14 @@ def arm_rows(found: Findings) -> list[list[str]]:
 
 def words_in_arms(experiment: Experiment) -> int:
     """How many columns of the table of arms, from the left, hold words."""
-    return 1 + len(_where_columns(experiment))
+    return 1 + len(_where_columns(experiment, ()))
 
 
-def _where_columns(experiment: Experiment) -> list[str]:
-    """A column a factor, or a single one that names what is unusual."""
+def _where_columns(experiment: Experiment, others: Collection[str]) -> list[str]:
+    """A column a factor beside the *others*, or a single one that names what is unusual."""
     if experiment.design is Design.ONE_AT_A_TIME:
         return ["what is changed"]
-    return [factor.name for factor in experiment.factors]
+    return experiment.factor_heads(others)
 
 
 def _where(summary: Summary, experiment: Experiment) -> list[str]:
