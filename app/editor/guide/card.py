@@ -25,7 +25,7 @@ from ..actions import ActionRow
 from ..icons import icon
 from ..studio import Message
 from .ring import Ring
-from .scratch import NAME, scratch_project
+from .scratch import NAME, lacks_wander, scratch_project, with_wander
 from .steps import SECOND, STEPS, Seen, picked_state
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ class Guide(QFrame):
         self.back.setToolTip("Show the step before")
         self.back.clicked.connect(lambda: self._go(self.step - 1))
         self.skip.setToolTip("Go on without doing this")
-        self.skip.clicked.connect(lambda: self._go(self.step + 1))
+        self.skip.clicked.connect(self._skip)
         for button in (self.close_button, self.back, self.skip):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # keys stay with the window after a click
         head, foot = QHBoxLayout(), QHBoxLayout()
@@ -190,6 +190,20 @@ class Guide(QFrame):
         self.skip.setVisible(True)
         self.ring.point_at(now.points_at)
         self._place()
+
+    def _skip(self) -> None:
+        """Go on; the second half gets what it needs of a first one that was not done."""
+        self._go(self.step + 1)
+        if self.step == SECOND and lacks_wander(self._studio.document.project):
+            self._window.files.background.do(
+                lambda: scratch_project(wander_is_taught=True), self._give_wander, self._failed
+            )
+
+    def _give_wander(self, made: tuple[Project, Scenario]) -> None:
+        document = self._studio.document
+        if self._is_here and lacks_wander(document.project):
+            document.push("Put in a Wander that was taught", with_wander(document.project, made[0]))
+            self._studio.say("you skipped teaching Wander, so one that was taught is there now")
 
     def _end(self) -> None:
         self.title.setText("That is all it takes")

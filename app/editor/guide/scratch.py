@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...core.automaton import Automaton
+from ...core.edits.place import with_automaton, with_examples
 from ...core.examples import Example, Moment
 from ...core.library import Library, NodeType
 from ...core.project import Arm, LevelTable, Project
@@ -48,6 +49,19 @@ def scratch_project(*, wander_is_taught: bool) -> tuple[Project, Scenario]:
         arms=(arm,),
     )
     return project, open_scenario(project)
+
+
+def lacks_wander(project: Project) -> bool:
+    """Whether the first half of the lesson was gone over without doing it, so that its second half cannot work."""
+    wander = project.library(TYPE).automata.get(WANDER)
+    return wander is not None and not wander.learned
+
+
+def with_wander(project: Project, taught: Project) -> Project:
+    """*project* with Wander as in *taught*."""
+    project = with_automaton(project, TYPE, taught.library(TYPE).get(WANDER))
+    project = with_examples(project, TYPE, WANDER, taught.examples_of(TYPE, WANDER))
+    return replace(project, moments={**taught.moments, **project.moments})
 
 
 def untaught(automaton: Automaton) -> Automaton:

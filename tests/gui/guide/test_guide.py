@@ -229,6 +229,18 @@ def test_a_user_who_is_new_is_offered_the_lesson_once(window: MainWindow, qtbot:
     assert not window.messages.isVisible()
 
 
+def test_who_skips_the_first_half_gets_the_wander_that_the_second_needs(
+    lesson: MainWindow, qtbot: QtBot
+) -> None:
+    document = lesson.studio.document
+    for _ in range(SECOND):
+        qtbot.mouseClick(lesson.guide.skip, Qt.MouseButton.LeftButton)
+    at(lesson, qtbot, "Now foraging")
+    qtbot.waitUntil(lambda: bool(document.project.library("agent").get("wander").learned), timeout=PATIENCE)
+    assert document.project.examples_of("agent", "wander")
+    assert document.history.undo_text == "Put in a Wander that was taught"
+
+
 def test_the_lesson_is_left_and_taken_up_again(lesson: MainWindow, qtbot: QtBot) -> None:
     window = lesson
     qtbot.mouseClick(window.guide.skip, Qt.MouseButton.LeftButton)
