@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 
 from app.core.edits import rename_automaton
 from app.editor.canvas.coloring import ColorBy
+from app.editor.selection import BehaviorKey
 from app.editor.theme import ThemeMode
 from app.engine.commands import RunArm, Step, Teach
 from tests.gui.canvas.pilot import LEFT, Pilot
@@ -211,3 +212,14 @@ def test_escape_chooses_nothing(pilot: Pilot) -> None:
     assert pilot.canvas.hand.choice is None
     pilot.click(pilot.at(pilot.alone()))
     assert len(pilot.selected) == 1
+
+
+def test_a_click_on_nothing_while_something_is_to_be_chosen_is_answered(pilot: Pilot) -> None:
+    pilot.studio.selection.select_behavior(BehaviorKey("agent", "goto"))
+    said: list[str] = []
+    pilot.studio.said.connect(lambda message: said.append(message.text))
+    pilot.choose("teach.teach")
+    pilot.wait(lambda: pilot.studio.teaching.choosing.is_busy)
+    pilot.click(pilot.nowhere())
+    assert said == ["nothing is at that place; click what X of Goto is to be"]
+    assert pilot.studio.teaching.choosing.is_busy
