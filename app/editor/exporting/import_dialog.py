@@ -85,13 +85,13 @@ class ImportDialog(QDialog):
         arm: Whether its arm comes along.
     """
 
-    def __init__(self, studio: Studio, parent: QWidget, path: Path) -> None:
+    def __init__(self, studio: Studio, parent: QWidget, background: Background, path: Path) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("import")
         self.setWindowTitle("Import")
         self._studio = studio
-        self._background = Background(self)
+        self._background = background
         self._job: Job | None = None
         self._offer: Offer | None = None
         self.path = QLineEdit(str(path))
@@ -113,7 +113,7 @@ class ImportDialog(QDialog):
         self.ok.setText("Import")
         self.buttons.accepted.connect(self.bring)
         self.buttons.rejected.connect(self.reject)
-        self.finished.connect(lambda _: self._background.close())
+        self.finished.connect(lambda _: self._drop())
         studio.document.project_changed.connect(self._look_again)
         self._lay_out()
         self._read()
@@ -161,10 +161,14 @@ class ImportDialog(QDialog):
             self._ask(lambda: offer_of(project, scenario, source))
 
     def _ask(self, work: Callable[[], Offer]) -> None:
-        if self._job is not None:
-            self._job.drop()
+        self._drop()
         self.ok.setEnabled(False)
         self._job = self._background.do(work, self._offered, self._failed)
+
+    def _drop(self) -> None:
+        """Wait no longer for what is being read."""
+        if self._job is not None:
+            self._job.drop()
 
     def _failed(self, error: UnderstudyError) -> None:
         self._offer = None
@@ -278,23 +282,25 @@ def _remarks(chosen: Import) -> list[str]:
     return remarks
 
 
-def ask_import(studio: Studio, parent: QWidget) -> None:
+def ask_import(studio: Studio, parent: QWidget, background: Background) -> None:
     """Ask for a file, and show what it would bring."""
     folder = studio.document.folder
     beside = Path.home() if folder is None else folder.parent
-    choose_existing(
-        parent, "Import behaviors from", beside, KINDS, lambda path: ImportDialog(studio, parent, path).open()
-    )
+
+    def show(path: Path) -> None:
+        ImportDialog(studio, parent, background, path).open()
+
+    choose_existing(parent, "Import behaviors from", beside, KINDS, show)
 
 
-def import_rows(parent: QWidget) -> tuple[ActionRow, ...]:
-    """The action of the File menu."""
+def import_rows(parent: QWidget, background: Background) -> tuple[ActionRow, ...]:
+    """The action of the File menu; files are read in the *background*."""
     return (
         ActionRow(
             "file.import",
             "Import behaviors…",
             "File",
-            lambda studio: ask_import(studio, parent),
+            lambda studio: ask_import(studio, parent, background),
             "save",
             "Ctrl+Alt+I",
             "Bring behaviors that were exported into this project, and their arm if you like",

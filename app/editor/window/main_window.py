@@ -76,7 +76,7 @@ class MainWindow(QMainWindow):
         studio.actions.add(
             (
                 *self.files.rows(),
-                *import_rows(self),
+                *import_rows(self, self.files.background),
                 *export_rows(self),
                 *self.files.leaving_rows(),
                 *edit_rows(),
