@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QComboBox, QDialogButtonBox
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QComboBox, QDialogButtonBox, QWidget
 
 from app.editor.forms.choosing import Chooser
 from app.editor.library.new_automaton import NewAutomatonDialog
@@ -76,8 +76,17 @@ class Teacher(Hand):
         goal = box.findText(text)
         assert goal >= 0, f"{text!r} is not in the list"
         while box.currentIndex() != goal:
-            key = Qt.Key.Key_Down if box.currentIndex() < goal else Qt.Key.Key_Up
-            self.qtbot.keyClick(box, key)
+            self._step(box, box.currentIndex(), goal)
+            if box.view().isVisible():  # one that opens instead of stepping
+                self._choose_in(box.view(), goal)
+
+    def _choose_in(self, opened: QAbstractItemView, goal: int) -> None:
+        while opened.currentIndex().row() != goal:
+            self._step(opened, opened.currentIndex().row(), goal)
+        self.qtbot.keyClick(opened, Qt.Key.Key_Return)
+
+    def _step(self, widget: QWidget, row: int, goal: int) -> None:
+        self.qtbot.keyClick(widget, Qt.Key.Key_Down if row < goal else Qt.Key.Key_Up)
 
     # ------------------------------------------------------------------------------------------- the world
 
