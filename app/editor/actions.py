@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 MENUS = ("File", "Edit", "View", "Behavior", "Teach", "Run", "Experiment", "Help")
 #: Groups of a menu that open from it, under these words: a menu with all of their rows would be higher than a low screen.
 SUBMENUS = {
+    ("Edit", "forest"): "Agents and controllers",
     ("View", "panels"): "Panels",
     ("Behavior", "graph"): "Automaton",
     ("Behavior", "states"): "Automaton",

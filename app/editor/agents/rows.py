@@ -37,7 +37,7 @@ def agent_rows(panel: AgentsPanel) -> tuple[ActionRow, ...]:
             "Arms and worlds…",
             "Edit",
             lambda studio: arms_and_worlds(studio, panel),
-            "forest",
+            "arms",
             "Ctrl+Shift+I",
             "Arms, their forests and parameters, worlds, and node types",
             "file-tree-outline",
@@ -101,8 +101,9 @@ def _move_row(panel: AgentsPanel, way: Move, words: str, where: str, keys: str) 
     return ActionRow(
         f"node.{way.value}",
         f"Move nodes {words}",
-        "",
+        "Edit",
         lambda _: panel.hand.shift(way),
+        "forest",
         tip=f"Move the selected nodes {where} ({keys} in the agents)",
         enabled=has_nodes,
     )

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QMenu, QPushButton, QTabBar
+from PySide6.QtWidgets import QApplication, QLabel, QMenu, QPushButton, QTabBar, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app import __version__
@@ -29,6 +29,13 @@ def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: 
         assert row.text, row.id
         assert row.tip, f"{row.id} has no tip"
         assert row.menu in ("", *MENUS), row.id
+
+
+def test_every_action_is_in_a_menu_or_on_a_button(window: MainWindow) -> None:
+    buttons = [button.defaultAction() for button in window.findChildren(QToolButton)]
+    pressed = {action.objectName() for action in buttons if action is not None}
+    for row in window.studio.actions.rows.values():
+        assert row.menu or row.id in pressed, f"{row.id} is found by nobody who does not know its name"
 
 
 def test_no_menu_is_higher_than_what_a_low_screen_has_below_the_menu_bar(window: MainWindow) -> None:
