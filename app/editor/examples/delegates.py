@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from ..number_box import roomy
+from ..number_box import RealBox, roomy
 from .model import states_of
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class WeightDelegate(QStyledItemDelegate):
 
     def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: Index) -> QWidget:
         """A number to type."""
-        box = roomy(QDoubleSpinBox(parent))
+        box = roomy(RealBox(parent))
         box.setRange(LIGHTEST, HEAVIEST)
         box.setDecimals(2)
         box.setFrame(False)

@@ -19,7 +19,7 @@ from .badges import Badges
 from .drafts import Drafts
 from .editing import GraphEditing
 from .form_strip import FormStrip
-from .hints import EMPTY, HINT, LINKING, NOTHING
+from .hints import NOTHING, Hint
 from .laying_out import LayingOut
 from .level import Drawn
 from .live import path_of
@@ -81,10 +81,7 @@ class GraphPanel(QWidget):
     def _build(self) -> None:
         self._trail = Trail()
         top = top_bar(self.studio, self._trail)
-        self._hint = QLabel(HINT)
-        self._hint.setProperty("role", "caption")
-        self._hint.setWordWrap(True)
-        self._hint.setContentsMargins(10, 0, 10, 6)
+        self._hint = Hint(self.view)
         self._empty = QLabel(NOTHING)
         self._empty.setProperty("role", "empty")
         self._empty.setWordWrap(True)
@@ -148,7 +145,7 @@ class GraphPanel(QWidget):
         self.view.forget()
         self.scene.build(drawn)
         self._pages.setCurrentIndex(0 if drawn is None else 1)
-        self._hint.setText(EMPTY if drawn is not None and len(drawn.graph.states) < 2 else HINT)
+        self._hint.say(is_empty=drawn is not None and len(drawn.graph.states) < 2)
         self._show_trail()
         self._state_changed()
         self.badges.show()
@@ -319,7 +316,7 @@ class GraphPanel(QWidget):
             self.edit()
 
     def _cancelled(self) -> None:
-        self._hint.setText(HINT)
+        self._hint.say()
         self.close_form()
 
     def edit(self) -> None:
@@ -357,7 +354,7 @@ class GraphPanel(QWidget):
         """From the selected state, choosing another one draws a transition to it."""
         self.view.begin_link()
         self.view.setFocus(Qt.FocusReason.OtherFocusReason)
-        self._hint.setText(LINKING)
+        self._hint.say()
 
     def remove(self) -> None:
         """Remove what is selected."""

@@ -85,6 +85,11 @@ class GraphView(DiagramView):
         self.setAcceptDrops(True)
         self.setAccessibleName("Automaton graph")
 
+    @property
+    def is_linking(self) -> bool:
+        """Whether what is chosen next is where a transition leads."""
+        return self._linking_from is not None
+
     def contents(self) -> QRectF:
         """What there is to see."""
         return self._graph.contents()

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
@@ -42,8 +42,8 @@ def new(author: Author, library: LibraryPanel, name: str, *, parameter: bool = F
     """Make an automaton in the library's dialog; it is shown then."""
     author.trigger("behavior.new")
     dialog = next(found for found in library.findChildren(NewAutomatonDialog) if found.isVisible())
-    while dialog.general.types.currentText() != MINE:
-        author.qtbot.keyClick(dialog.general.types, Qt.Key.Key_Down)
+    if dialog.general.types.currentText() != MINE:
+        author.choose(dialog.general.types, MINE)
     if parameter:
         author.qtbot.mouseClick(dialog.general.add, LEFT)
     dialog.general.name.selectAll()

@@ -5,6 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START
+from app.editor.graph.hints import HINT, KEYS, Hint
 from app.editor.graph.panel import GraphPanel
 from app.editor.graph.state_item import Path
 from app.editor.selection import BehaviorKey
@@ -169,3 +170,15 @@ def test_all_of_an_automaton_is_seen_where_the_user_asks_for_it(
     assert not all(seen.contains(panel.view.mapFromScene(place).boundingRect()) for place in places)
     studio.actions["graph.fit"].trigger()
     assert all(seen.contains(panel.view.mapFromScene(place).boundingRect()) for place in places)
+
+
+def test_whoever_comes_to_the_graph_by_keys_is_told_what_keys_do(panel: GraphPanel, qtbot: QtBot) -> None:
+    panel.activateWindow()
+    qtbot.waitUntil(panel.isActiveWindow, timeout=PATIENCE)
+    panel.view.clearFocus()
+    panel.view.setFocus(Qt.FocusReason.TabFocusReason)
+    hint = panel.findChild(Hint)
+    assert isinstance(hint, Hint)
+    qtbot.waitUntil(lambda: hint.text() == KEYS, timeout=PATIENCE)
+    qtbot.mouseClick(panel.view.viewport(), LEFT, pos=QPoint(3, 3))
+    assert hint.text() == HINT
