@@ -49,6 +49,7 @@ class Files(QObject):
         held: Where the open project is kept.
         state: The user's own folder for what the window keeps from one start to the next.
         owner: This window, as others find it in lock files.
+        what_ends: Says what else runs for the open project and ends with the work on it; nothing where that is empty.
 
     Signals:
         waiting: What the user has to wait for; an empty text when that is over.
@@ -62,6 +63,7 @@ class Files(QObject):
         self.state = studio.settings.state
         self.owner = claims.new_owner()
         self.held = Held()
+        self.what_ends: Callable[[], str] = lambda: ""
         self.background = Background(self)
         self.opening = Opening(self)
         self.saving = Saving(self)

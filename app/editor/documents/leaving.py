@@ -1,4 +1,4 @@
-"""Leaving a project: what is unsaved, or still being learned, is asked about first."""
+"""Leaving a project: what is unsaved, still being learned, or ended by it is asked about first."""
 
 from __future__ import annotations
 
@@ -36,6 +36,8 @@ class Leaving(QObject):
             self._ask_unsaved(then)
         elif self._is_learning:
             self._ask_learning(then)
+        elif ended := self._files.what_ends():
+            self._ask_ending(ended, then)
         else:
             then()
 
@@ -53,6 +55,7 @@ class Leaving(QObject):
             text += (
                 " Something is still being learned; what comes of it is learned again when it is opened next."
             )
+        text += self._ending()
         self._files.ask(
             "Save the changes?",
             text,
@@ -81,9 +84,24 @@ class Leaving(QObject):
         self._files.ask(
             "Something is being learned",
             "Behaviors are being learned from their examples. The examples are saved; what is not learned now can be "
-            "learned again at any time.",
+            "learned again at any time." + self._ending(),
             (Answer("Wait for it", wait), Answer("Close now", then), Answer("Cancel")),
             look="school-outline",
+        )
+
+    def _ending(self) -> str:
+        ended = self._files.what_ends()
+        return f"\n\n{ended}" if ended else ""
+
+    def _ask_ending(self, ended: str, then: Then) -> None:
+        self._files.ask(
+            "Stop what is running?",
+            ended,
+            (
+                Answer("Stop it", then, "Stop it, and close the project"),
+                Answer("Keep it running", tip="The project stays open"),
+            ),
+            look="flask-outline",
         )
 
     def _learned(self) -> None:

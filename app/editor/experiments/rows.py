@@ -36,6 +36,10 @@ class Experiments:
         self.window.activateWindow()
         return self.window
 
+    def what_ends(self) -> str:
+        """What ends with the work on the open project, in words; nothing if no experiment is under way."""
+        return "" if self.window is None else self.window.running.what_ends
+
     def rows(self) -> tuple[ActionRow, ...]:
         """The actions."""
         return (

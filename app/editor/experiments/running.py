@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from ...engine.experiments.laboratory import Look, Stage
 from ...engine.experiments.process import LaboratoryProcess
 from ...engine.experiments.store import Row
+from .standing import words_of
 from .study import Study
 
 #: Milliseconds between two looks.
@@ -44,6 +45,16 @@ class Running(QObject):
     def is_on(self) -> bool:
         """Whether an experiment is under way, paused ones included."""
         return self._laboratory is not None and not self._laboratory.newest.is_over
+
+    @property
+    def what_ends(self) -> str:
+        """What ends if the project is left, in words; nothing if no experiment is under way."""
+        if not self.is_on or self.study is None or self._look is None:
+            return ""
+        return (
+            f"The experiment {self.study.declared.name!r} is under way ({words_of(self._look, self.study)}), and stops "
+            "when the project is closed. Finished runs are kept; Run goes on with the others."
+        )
 
     @property
     def rows(self) -> Sequence[Row]:

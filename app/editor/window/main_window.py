@@ -71,6 +71,7 @@ class MainWindow(QMainWindow):
         self.speed = Speed()
         self.files = Files(studio, self)
         self.experiments = Experiments(studio, self)
+        self.files.what_ends = self.experiments.what_ends
         self._may_close = self._docks_shown = False
         self.palette_search = Palette(studio, self, self._catalog)
         studio.actions.add(

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QPushButton, QTableView
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import set_world
+from app.core.edits import note_project, set_world
 from app.core.project import Project
 from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
@@ -21,6 +21,7 @@ from app.editor.window.main_window import MainWindow
 from app.engine.experiments.laboratory import Stage
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import FORAGING, PATIENCE
+from tests.gui.documents.desk import answer, question
 from tests.patient_bot import have_done_what_is_due
 
 
@@ -176,6 +177,37 @@ def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finishe
     qtbot.waitUntil(window.controls.run.isEnabled, timeout=3 * PATIENCE)
     qtbot.waitUntil(lambda: not window.background.busy, timeout=PATIENCE)
     assert len(made(window)) == window.pages.runs.model.rowCount() > 0
+
+
+def test_leaving_while_an_experiment_runs_says_what_becomes_of_it_and_can_keep_it_running(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    main, window = shown
+    window.listing.choose("figure3")
+    window.controls.ticks.setValue(2000)
+    window.controls.runs.setValue(500)
+    qtbot.keyClick(window, Qt.Key.Key_F5)
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=3 * PATIENCE)
+    main.close()
+    asked = question(main, qtbot)
+    assert "'figure3' is under way" in asked.text
+    assert "of 2,000 runs" in asked.text
+    assert "Finished runs are kept" in asked.text
+    qtbot.keyClick(asked, Qt.Key.Key_Escape)
+    assert main.isVisible()
+    assert window.running.is_on
+    main.studio.document.do(note_project, "changed")
+    qtbot.waitUntil(lambda: not main.files.is_asking, timeout=PATIENCE)
+    main.close()
+    asked = question(main, qtbot)
+    assert "unsaved changes" in asked.text
+    assert "'figure3' is under way" in asked.text, "one question says all that there is"
+    answer(main, qtbot, "Cancel")
+    main.studio.document.undo()
+    with qtbot.waitSignal(main.closed, timeout=PATIENCE):
+        main.close()
+        answer(main, qtbot, "Stop it")
+    assert not window.running.is_on
 
 
 def test_while_one_runs_others_are_looked_at_and_what_it_has_found_so_far_is_written(
