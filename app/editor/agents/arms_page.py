@@ -207,6 +207,10 @@ class ArmsPage(QWidget):
     def _use(self) -> None:
         arm = self._arm
         if arm is not None:
+            if isinstance(
+                arm.hierarchy, LevelTable
+            ):  # what was made by hand is replaced only by its own button
+                self.table.make()
             self._studio.use_arm(arm.name)
 
     def _top_chosen(self, choice: Choice | None) -> None:

@@ -145,8 +145,11 @@ class LevelTableForm(QWidget):
     def _changed(self, *_: object) -> None:
         trouble = self._problem()
         self.trouble.say(trouble)
-        self.words.setText(f"{self._begins}: {counted(self._agents, 'agent')}")
         self.use.setEnabled(not trouble and self.table != self._forest)
+        draft = (
+            ", not made yet" if self.table != self._forest and isinstance(self._forest, LevelTable) else ""
+        )
+        self.words.setText(f"{self._begins}: {counted(self._agents, 'agent')}{draft}")
         self.below.setEnabled(len(self.sizes) > 1)
         self.above.setEnabled(bool(self.types))
 
@@ -178,6 +181,11 @@ class LevelTableForm(QWidget):
     def _shrink(self) -> None:
         table = self.table
         self._build(table.sizes[1:], table.types[1:])
+
+    def make(self) -> None:
+        """Make the forest if the user has changed the table, and can have it so."""
+        if self.use.isEnabled():
+            self._use()
 
     def _use(self) -> None:
         self.wanted.emit(self.table)

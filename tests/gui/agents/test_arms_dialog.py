@@ -100,6 +100,21 @@ def test_a_forest_is_made_from_a_level_table(dialog: ArmsDialog, studio: Studio,
     assert studio.document.history.undo_text == "Change the hierarchy of arm independent"
 
 
+def test_the_world_of_an_arm_has_the_forest_that_its_table_shows(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    page = dialog.arms
+    page.arms.choose("independent")
+    set_number(page.table.sizes[0], qtbot, "9")
+    assert page.table.words.text() == "From the roots down: 9 agents, not made yet"
+    qtbot.mouseClick(page.use, LEFT)
+    assert studio.document.project.arm("independent").hierarchy == LevelTable((9,), ("agent",))
+    assert page.table.words.text() == "From the roots down: 9 agents"
+    qtbot.waitUntil(
+        lambda: studio.snapshot is not None and "agent-10" not in studio.snapshot.place.ids, timeout=PATIENCE
+    )
+
+
 def test_levels_are_added_by_clicks_at_one_place_also_above_all_known_types(
     dialog: ArmsDialog, studio: Studio, qtbot: QtBot
 ) -> None:
