@@ -101,9 +101,11 @@ class ForestHand:
 
     def dissolve(self) -> None:
         """Put the subsidiaries of the selected controllers in their own place."""
-        for node in apart(self._panel.selected):
-            if node.children:
-                self._studio.document.attempt(dissolve_node, self.arm, node.id)
+        controllers = [node for node in apart(self._panel.selected) if node.children]
+        if not controllers:
+            self._studio.warn("select the controller of the group that is to be dissolved")
+        for node in controllers:
+            self._studio.document.attempt(dissolve_node, self.arm, node.id)
 
     def shift(self, way: Move) -> None:
         """Move the selected nodes up, down, out of their controller, or into the one before them."""

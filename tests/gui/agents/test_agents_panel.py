@@ -143,6 +143,17 @@ def test_nodes_that_no_type_controls_are_not_grouped_and_it_is_said(
     assert studio.document.project is before
 
 
+def test_where_no_controller_is_selected_it_is_said_what_can_be_dissolved(
+    panel: AgentsPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    panel.tree.setExpanded(panel.model.find("group-3"), True)
+    click(panel, qtbot, "agent-11")
+    with qtbot.waitSignal(studio.said) as said:
+        qtbot.keyClick(panel.tree, Qt.Key.Key_G, CTRL | SHIFT)
+    assert said.args is not None
+    assert said.args[0].text == "select the controller of the group that is to be dissolved"
+
+
 def test_nodes_are_moved_by_keys(panel: AgentsPanel, studio: Studio, qtbot: QtBot) -> None:
     click(panel, qtbot, "agent-2")
     qtbot.keyClick(panel.tree, Qt.Key.Key_Up, ALT)
