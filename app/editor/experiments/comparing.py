@@ -16,7 +16,7 @@ from .study import Kept, Study, other_lengths
 from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
-    from ...engine.experiments.findings import Findings
+    from ...engine.experiments.findings import Findings, Summary
     from .window import ExperimentsWindow
 
 FIRST = "Tick experiments to see their arms side by side."
@@ -111,22 +111,31 @@ class ComparePage(QWidget):
 
     def _show(self) -> None:
         measures = list(dict.fromkeys(name for found in self._found.values() for name in measures_in(found)))
+        where = ["where"] if any(found.experiment.factors for found in self._found.values()) else []
         rows = [
-            [
-                name,
-                summary.cell.arm,
-                place(summary.cell.levels, found.experiment) if found.experiment.factors else "",
-                f"{found.experiment.ticks:,}",
-                str(summary.runs),
-                *(with_interval(summary.measures.get(measure)) for measure in measures),
-                f"{summary.stalled_share:.0%}",
-            ]
+            _row(name, found, summary, where, measures)
             for (name, _), found in self._found.items()
             for summary in found.summaries
         ]
-        head = ["experiment", "arm", "where", "ticks", "runs", *measures, "stalled"] if rows else []
-        self.model.show(head, rows, 3)
+        head = ["experiment", "arm", *where, "ticks", "runs", *measures, "stalled"] if rows else []
+        self.model.show(head, rows, 2 + len(where))
         self.told.setText("Means with half the width of their 95% confidence intervals." if rows else FIRST)
+
+
+def _row(
+    name: str, found: Findings, summary: Summary, where: Sequence[str], measures: Sequence[str]
+) -> list[str]:
+    """An arm of an experiment; *where* has a name if any experiment varies something."""
+    at = place(summary.cell.levels, found.experiment) if found.experiment.factors else ""
+    return [
+        name,
+        summary.cell.arm,
+        *(at for _ in where),
+        f"{found.experiment.ticks:,}",
+        str(summary.runs),
+        *(with_interval(summary.measures.get(measure)) for measure in measures),
+        f"{summary.stalled_share:.0%}",
+    ]
 
 
 def _words(name: str, ticks: int) -> str:

@@ -127,7 +127,7 @@ def test_more_runs_than_the_experiment_says_are_there_the_next_day(
     assert window.controls.runs.value() == 2
     window.pages.compare.list.item(0).setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: window.pages.compare.model.rowCount() == 4, timeout=PATIENCE)
-    assert {window.pages.compare.model.row(number)[4] for number in range(4)} == {"2"}
+    assert {window.pages.compare.model.row(number)[3] for number in range(4)} == {"2"}
     window.controls.runs.setValue(1)
     qtbot.waitUntil(lambda: told(window, "Finished: 4 runs"), timeout=PATIENCE)
 
@@ -358,6 +358,9 @@ def test_results_of_several_experiments_stand_side_by_side(
     compare = window.pages.compare
     compare.list.item(0).setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: compare.model.rowCount() == 4, timeout=PATIENCE)
+    across = range(compare.model.columnCount())
+    head = [compare.model.headerData(column, Qt.Orientation.Horizontal) for column in across]
+    assert head[:4] == ["experiment", "arm", "ticks", "runs"], "no empty column where nothing is varied"
     compare.list.item(1).setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: "figure4 has not been run yet" in compare.told.text(), timeout=PATIENCE)
 
