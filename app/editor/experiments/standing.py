@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...core.amounts import counted, lasting
 from ...engine.experiments.laboratory import Look, Stage
-from .study import Kept, Study
+from .study import Kept, Study, other_lengths
 
 
 def words_of(look: Look, study: Study) -> str:
@@ -30,7 +30,9 @@ def words_of(look: Look, study: Study) -> str:
 def standing(kept: Kept | None, study: Study) -> str:
     """What there is of an experiment that does not run."""
     if kept is None or not kept.rows:
-        return f"not run yet: {counted(study.total, 'run')} of {counted(study.experiment.ticks, 'tick')}"
+        asked = f"not run yet: {counted(study.total, 'run')} of {counted(study.experiment.ticks, 'tick')}"
+        others = [f"{ticks:,}" for ticks in other_lengths(study.declared.name, study.path.parent)]
+        return f"{asked}; there are runs of {' and '.join(others)} ticks" if others else asked
     if len(kept.rows) == study.total:
         return f"finished: {counted(study.total, 'run')}"
     return f"{len(kept.rows):,} of {counted(study.total, 'run')} are there; Run makes the others"

@@ -194,10 +194,12 @@ def test_leaving_while_an_experiment_runs_says_what_becomes_of_it_and_can_keep_i
     assert "of 2,000 runs" in asked.text
     assert "Finished runs are kept" in asked.text
     qtbot.keyClick(asked, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: not main.files.is_asking, timeout=PATIENCE)
+    qtbot.keyClick(window, Qt.Key.Key_Q, Qt.KeyboardModifier.ControlModifier)
+    answer(main, qtbot, "Keep it running")
     assert main.isVisible()
     assert window.running.is_on
     main.studio.document.do(note_project, "changed")
-    qtbot.waitUntil(lambda: not main.files.is_asking, timeout=PATIENCE)
     main.close()
     asked = question(main, qtbot)
     assert "unsaved changes" in asked.text
@@ -377,6 +379,9 @@ def test_runs_of_another_length_stand_side_by_side_with_the_others(
     ticks = window.controls.ticks.value()
     found = compare.list.findItems(f"at {ticks:,} ticks", Qt.MatchFlag.MatchContains)
     assert [item.toolTip() for item in found] == [f"{window.listing.current}, {ticks:,} ticks"]
+    window.listing.choose("figure4")
+    window.listing.choose("figure3")
+    qtbot.waitUntil(lambda: told(window, "there are runs of 200 ticks"), timeout=PATIENCE)
     found[0].setCheckState(Qt.CheckState.Checked)
     qtbot.waitUntil(lambda: compare.model.rowCount() == 4, timeout=PATIENCE)
 
