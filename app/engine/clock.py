@@ -12,12 +12,14 @@ class Clock:
         speed: As in `Play`; 0 when paused.
         due: Ticks that were asked for and that have not passed yet.
         going_to: The tick that a `GoTo` is on its way to.
+        stops_in: Ticks after which time stops although it runs; None if it just runs.
     """
 
     def __init__(self) -> None:
         self.speed: float | None = 0.0
         self.due = 0
         self.going_to: int | None = None
+        self.stops_in: int | None = None
         self._held: tuple[float | None, int] | None = None
 
     @property
@@ -32,6 +34,11 @@ class Clock:
         A single step is over before anybody could stop it: the key that plays or stops must not find time passing then.
         """
         return self.speed if self.due <= 1 else 1.0
+
+    @property
+    def most(self) -> int | None:
+        """How many ticks may pass before something else is to happen; None if as many as there is time for."""
+        return self.stops_in if self.going_to is None else self.due
 
     def play(self, speed: float | None) -> None:
         """Let time pass at this speed.
@@ -48,6 +55,14 @@ class Clock:
     def pause(self) -> None:
         """Let no time pass, and none after what holds time has been settled."""
         self._set(0.0, 0)
+        self.stops_in = None
+
+    def stop_in(self, ticks: int) -> None:
+        """Let time stop after so many more ticks, at whatever speed they pass."""
+        if ticks > 0:
+            self.stops_in = ticks
+        else:
+            self.pause()
 
     def step(self, ticks: int) -> None:
         """Let so many more ticks pass, then none.
@@ -58,11 +73,12 @@ class Clock:
         if ticks < 1:
             raise SessionError(f"a step is of 1 tick or more, but it is {ticks}")
         self._set(0.0, ticks + (self.due if self.going_to is None else 0))
+        self.stops_in = None
 
     def go(self, to: int, ticks: int) -> None:
         """Let the ticks pass that are left on the way to tick *to*, then none."""
         self._set(0.0, ticks)
-        self.going_to = to if ticks else None
+        self.going_to, self.stops_in = to if ticks else None, None
 
     def stop_going(self) -> None:
         """Stay where a journey has come to."""
@@ -74,17 +90,19 @@ class Clock:
         self.due = max(0, self.due - ticks)
         if not self.due:
             self.going_to = None
+        if self.stops_in is not None:
+            self.stop_in(self.stops_in - ticks)
 
     def begin(self) -> None:
         """Forget the ticks that were asked for: they were of another world."""
-        self.due, self.going_to = 0, None
+        self.due, self.going_to, self.stops_in = 0, None, None
         if self._held is not None:
             self._held = self._held[0], 0
 
     def hold(self) -> None:
         """Let no time pass until `resume`."""
         held = self.speed, self.due
-        self.pause()
+        self._set(0.0, 0)
         self._held = held
 
     def resume(self) -> None:

@@ -124,6 +124,16 @@ class Pause:
 
 
 @dataclass(frozen=True, slots=True)
+class StopAt:
+    """Stop time before *tick* of this run, or now if that is over, at whatever speed it passes until then.
+
+    A `Pause`, `Step`, `GoTo` or another world forgets it.
+    """
+
+    tick: int
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
     """Pass some ticks, then pause."""
 
@@ -212,6 +222,7 @@ Command = (
     | Test
     | Play
     | Pause
+    | StopAt
     | Step
     | MoveEntity
     | UndoMove

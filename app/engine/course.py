@@ -149,7 +149,8 @@ class Course:
         if self._stands_still or ticks < 1:
             return
         try:
-            self._pass(ticks if self._clock.going_to is None else min(ticks, self._clock.due))
+            most = self._clock.most
+            self._pass(ticks if most is None else min(ticks, most))
         except UnderstudyError as error:
             self.fail(str(error))
 

@@ -26,6 +26,7 @@ from .commands import (
     RunArm,
     ShouldNotHaveLeft,
     Step,
+    StopAt,
     Teach,
     Test,
     UndoMove,
@@ -113,6 +114,7 @@ class Session(Course):
             lesson=replace(self._lesson.view(), obstacle=self._transcript.obstacle) if self._lesson else None,
             asked=self._asked,
             going_to=self._clock.going_to,
+            stops_at=None if self._clock.stops_in is None else engine.tick + self._clock.stops_in,
             earliest=world.earliest,
         )
 
@@ -229,6 +231,10 @@ class Session(Course):
     @_obey.register
     def _(self, _: Pause) -> None:
         self._clock.pause()
+
+    @_obey.register
+    def _(self, command: StopAt) -> None:
+        self._clock.stop_in(command.tick - self.tick)
 
     @_obey.register
     def _(self, command: Step) -> None:

@@ -140,6 +140,7 @@ class Snapshot:
         lesson: What is being taught or tested, if anything is.
         asked: What the user has been asked and has not answered yet.
         going_to: The tick that a `GoTo` is on its way to.
+        stops_at: The tick before which time stops, see `StopAt`.
         earliest: The first tick of the run that can be gone back to.
     """
 
@@ -162,6 +163,7 @@ class Snapshot:
     lesson: LessonView | None = None
     asked: Asked | None = None
     going_to: int | None = None
+    stops_at: int | None = None
     earliest: int = field(default=0, compare=False)
 
     __hash__ = None  # type: ignore[assignment]  # arrays have none

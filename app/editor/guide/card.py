@@ -18,8 +18,7 @@ from PySide6.QtWidgets import (
 
 from ...core.errors import UnderstudyError
 from ...core.project import Project
-from ...engine.commands import Pause
-from ...engine.commands import Step as StepTicks
+from ...engine.commands import StopAt
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..icons import icon
@@ -33,8 +32,6 @@ if TYPE_CHECKING:
     from ..window.main_window import MainWindow
 
 WIDTH, AWAY = 330, 16
-#: Ticks before the moment of stopping at which time is paused, at the speed of 1.
-LEAD = 15
 #: The flag among the settings that the lesson was offered.
 OFFERED = "lesson_offered"
 
@@ -54,7 +51,7 @@ class Guide(QFrame):
         self._studio = window.studio
         self.step = 0
         self._picked, self._from_tick = "", 0
-        self._stopping = self._stopped = False
+        self._stopped = False
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
         self.ring = Ring(window, self._studio.theme)
@@ -175,7 +172,7 @@ class Guide(QFrame):
     def _go(self, step: int) -> None:
         self.step = max(0, min(step, len(STEPS)))
         self._studio.settings.lesson_step = self.step
-        self._picked, self._stopping, self._stopped = "", False, False
+        self._picked, self._stopped = "", False
         snapshot = self._studio.snapshot
         self._from_tick = 0 if snapshot is None else snapshot.tick
         self.bar.setValue(self.step)
@@ -236,21 +233,16 @@ class Guide(QFrame):
             self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
-        """Stop time after *left* ticks: a little before, and then tick by tick.
+        """Have time stop after *left* ticks, also where the window is late.
 
         Once the moment is missed, because the user let time go on, it is the next one that counts.
         """
         if left is None:
-            self._stopping = self._stopped = False
-        if left is None or self._stopped:
-            return
-        if snapshot.speed == 0.0:
-            self._stopped = self._stopping
-            if self._stopping and left:
-                self._studio.bridge.send(StepTicks(left))
-        elif not self._stopping and (snapshot.speed is None or left <= LEAD * snapshot.speed):
-            self._stopping = True
-            self._studio.bridge.send(Pause())
+            self._stopped = False
+        elif snapshot.speed == 0.0:
+            self._stopped = left == 0
+        elif not self._stopped and snapshot.stops_at != snapshot.tick + left:
+            self._studio.bridge.send(StopAt(snapshot.tick + left))
 
     # ------------------------------------------------------------------------------------------------ looks
 

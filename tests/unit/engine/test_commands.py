@@ -12,6 +12,7 @@ from app.core.features import Parameter
 from app.core.project import Project
 from app.engine.commands import (
     Command,
+    GoTo,
     MoveEntity,
     Pause,
     Pick,
@@ -20,6 +21,7 @@ from app.engine.commands import (
     RunArm,
     ShouldNotHaveLeft,
     Step,
+    StopAt,
     Teach,
     UndoPick,
     UseArm,
@@ -287,3 +289,38 @@ def test_a_refusal_carries_the_ticket_of_its_command() -> None:
     session = Driver().session
     tickets = [session.send(Step(0)), session.send(Pause()), session.send(UndoPick())]
     assert [e.ticket for e in session.events() if isinstance(e, Refused)] == [tickets[0], tickets[2]]
+
+
+def test_time_stops_before_a_tick_at_any_speed_and_however_many_ticks_are_dealt_out() -> None:
+    for speed in (1.0, 16.0, None):
+        session = Driver().session
+        session.send(Play(speed))
+        session.send(StopAt(7))
+        assert session.snapshot().stops_at == 7
+        session.advance(5)
+        assert (session.tick, session.playing) == (5, True)
+        session.advance(100)
+        snapshot = session.snapshot()
+        assert (session.tick, session.playing, snapshot.speed, snapshot.stops_at) == (7, False, 0.0, None)
+        session.send(Play(speed))
+        session.advance(5)
+        assert session.tick == 12
+
+
+def test_time_stops_now_where_the_tick_is_over() -> None:
+    session = Driver().session
+    session.send(Play())
+    session.advance(5)
+    session.send(StopAt(3))
+    assert (session.tick, session.playing) == (5, False)
+
+
+def test_another_speed_leaves_the_stop_alone_and_anything_else_forgets_it() -> None:
+    session = Driver().session
+    for command in (Pause(), Step(2), GoTo(9), Reset()):
+        session.send(Play())
+        session.send(StopAt(session.tick + 4))
+        session.send(Play(2.0))
+        assert session.snapshot().stops_at == session.tick + 4
+        session.send(command)
+        assert session.snapshot().stops_at is None
