@@ -10,7 +10,7 @@ from ..core.errors import StorageError
 from ..core.project import Project
 from ..core.storage import load
 from ..engine.scenarios import OWN_CODE, TrustError, brings_code, open_scenario
-from ..export.library_file import Exported, is_export, read
+from ..export.library_file import Exported, is_export, names_export, read
 from ..sim.scenario import Scenario
 
 
@@ -53,7 +53,7 @@ def open_runnable(path: Path, *, trust: bool = False) -> Opened:
     Raises:
         UnderstudyError: It cannot be read, or brings code that is not trusted.
     """
-    if not is_export(path):
+    if not names_export(path):
         return open_project(path, trust=trust)
     exported = read(path)
     if not brings_code(exported.project):

@@ -26,6 +26,8 @@ from ..core.storage.text import TextError, parsed, written
 #: What the first key of such a file says.
 FORMAT = "understudy export"
 FILE_ENDING = ".json"
+#: How there comes to be one.
+MAKES_ONE = "`understudy export PROJECT -o FILE.json` makes one"
 
 
 class ExportRecord(ProjectRecord):
@@ -86,9 +88,14 @@ def write(exported: Exported, path: Path) -> None:
         raise FilesError(path, [Problem("", "", f"cannot be written: {reason(error.error)}")]) from error
 
 
+def names_export(path: Path) -> bool:
+    """Whether *path* can only mean such an export, by its name, be it there or not."""
+    return path.suffix == FILE_ENDING and path.name != "project.json" and not path.is_dir()
+
+
 def is_export(path: Path) -> bool:
     """Whether *path* is a file that may be such an export, by its name."""
-    return path.suffix == FILE_ENDING and path.name != "project.json" and path.is_file()
+    return names_export(path) and path.is_file()
 
 
 def read(path: Path) -> Exported:
@@ -99,6 +106,8 @@ def read(path: Path) -> Exported:
     """
     try:
         document = parsed(path.read_bytes())
+    except FileNotFoundError as error:
+        raise FilesError(path, [Problem("", "", f"there is no such file; {MAKES_ONE}")]) from error
     except OSError as error:
         raise FilesError(path, [Problem("", "", f"cannot be read: {reason(error)}")]) from error
     except TextError as error:

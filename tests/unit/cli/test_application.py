@@ -79,6 +79,10 @@ def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) 
         (["run", "x", "--picture", "x.gif"], "pictures end in .png, .svg, .pdf"),
         (["run", "x", "--picture", "nowhere/x.png"], "there is no folder nowhere"),
         (["run", "not-there"], "not-there: there is no such folder"),
+        (
+            ["run", "not-there.json"],
+            "not-there.json: there is no such file; `understudy export PROJECT -o FILE",
+        ),
         (["train", "not-there"], "not-there: there is no such folder"),
         (["demonstrate", "not-there"], "not-there: there is no such folder"),
         (["new", "somewhere"], "Missing option '--scenario'"),

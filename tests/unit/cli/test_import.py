@@ -110,7 +110,10 @@ def test_what_is_wrong_is_named(
     before = load(empty)
     for words, message in (
         ([str(bad), str(empty)], "this is no export of Understudy"),
-        ([str(tmp_path / "nowhere.json"), str(empty)], "nowhere.json: cannot be read"),
+        (
+            [str(tmp_path / "nowhere.json"), str(empty)],
+            "nowhere.json: there is no such file; `understudy export",
+        ),
         ([str(empty), str(empty)], "is a directory"),
         ([str(exported), str(exported)], "this is a file; a project is a folder"),
         ([str(exported)], "Missing argument 'PROJECT'"),
