@@ -63,7 +63,7 @@ class Teaching(QObject):
         self._arguments: dict[BehaviorKey, dict[str, str]] = {}
         self._chosen: Remembered[str, tuple[str, ...]] = Remembered()  # ten thousand may be selected
         self._turn = ""
-        self._then_teach = False
+        self._then_teach = self._then_test = False
         self.asking = Asking(studio, self)
         self.choosing = Choosing(studio, self)
         self.keeping = Keeping(studio, self)
@@ -158,6 +158,10 @@ class Teaching(QObject):
 
         Where that cannot be, the user is told why and what can be done; an open parameter is asked for in the panel.
         """
+        self._then_test = False
+        self._teach()
+
+    def _teach(self) -> None:
         key = self._studio.selection.behavior
         if key is None or self._studio.document.automaton(key.type, key.id) is None:
             self._studio.warn("choose a behavior to teach in the library, or make a new one there")
@@ -178,9 +182,13 @@ class Teaching(QObject):
         self.changed.emit()
 
     def test(self) -> None:
-        """Learn, then let all nodes of the type run it."""
+        """Learn, then let all nodes of the type run it; a lesson begins with it where none is going on."""
         self.choosing.cancel()
-        self._studio.bridge.send(Test())
+        self._then_test = not self.is_teaching
+        if self._then_test:
+            self._teach()
+        else:
+            self._studio.bridge.send(Test())
 
     def stop(self) -> None:
         """End the lesson: the arm runs. While something is being chosen, only that ends."""
@@ -199,7 +207,7 @@ class Teaching(QObject):
         if lesson is not None and lesson.plan.arguments.get(parameter) != target:
             self._again(lesson, {**lesson.plan.arguments, parameter: target}, lesson.plan.others)
         elif self._then_teach:
-            self.teach()
+            self._teach()
         self.changed.emit()
 
     def set_others(self, others: Others) -> None:
@@ -300,6 +308,8 @@ class Teaching(QObject):
             if replace(going_on, nodes=lesson.plan.nodes) == lesson.plan:
                 plan = going_on  # after a test the lesson goes on, as one demonstration
         self._studio.bridge.send(plan)
+        if self._then_test:
+            self._studio.bridge.send(Test())
 
     def _again(self, lesson: LessonView, arguments: Mapping[str, str], others: Others) -> None:
         plan = lesson.plan
@@ -384,7 +394,7 @@ class Teaching(QObject):
     def _place_changed(self) -> None:
         self.picked = ""
         if self._then_teach:
-            self.teach()
+            self._teach()
         self.changed.emit()
 
     def _event_came(self, event: object) -> None:

@@ -288,7 +288,7 @@ def teach_rows() -> tuple[ActionRow, ...]:
             keys="Shift+T",
             tip="Learn what was taught, and let all nodes of the type run it",
             icon="play-outline",
-            enabled=lambda studio: studio.teaching.is_teaching,
+            enabled=has_arm,
             checked=lambda studio: studio.mode in (Mode.TESTING, Mode.LEARNING),
         ),
         ActionRow(

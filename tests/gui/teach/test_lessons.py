@@ -20,6 +20,27 @@ def test_an_open_parameter_is_asked_for_and_choosing_it_begins_the_lesson(hand: 
     assert hand.page.targets.menus["X"].text() == "deposit"
 
 
+def test_what_was_taught_another_day_is_tested_without_teaching_it_again(hand: Hand) -> None:
+    hand.show("Wander", "agent-3")
+    before = hand.studio.document.project
+    hand.key(Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
+    hand.wait(lambda: hand.studio.mode is Mode.TESTING)
+    hand.hold(2)
+    assert {node.path[0][0] for node in hand.snapshot.nodes.values()} == {"wander"}
+    assert hand.studio.document.project.examples_of("agent", "wander") == before.examples_of(
+        "agent", "wander"
+    )
+
+
+def test_an_open_parameter_is_asked_for_before_a_test_too(hand: Hand) -> None:
+    hand.studio.teaching._arguments = {}
+    hand.show("Goto", "agent-3")
+    hand.key(Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
+    assert hand.studio.teaching.choosing.wanted == "X"
+    hand.choose_target(hand.panel.idle.targets, "X", "deposit")
+    hand.wait(lambda: hand.studio.mode is Mode.TESTING)
+
+
 def test_what_a_parameter_means_can_be_changed_in_the_middle_of_a_lesson(hand: Hand) -> None:
     hand.studio.teaching._arguments = {}
     hand.show("Goto", "agent-3")
