@@ -1,10 +1,13 @@
 """The set-up's decisions, in bash as users run it, with stand-ins for the commands that look at or change a machine."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
+
+from app.cli.verbs import STUDIO, verbs
 
 ROOT = Path(__file__).parents[2]
 SETUP = ROOT / ".ci" / "setup.sh"
@@ -122,3 +125,12 @@ def test_a_second_start_adds_less_than_a_second() -> None:
     after = os.times()  # processor time, so that a busy machine is no fault of the program
     used = after.children_user + after.children_system - before.children_user - before.children_system
     assert used < 1.0
+
+
+def test_no_verb_but_the_window_insists_on_what_qt_needs() -> None:
+    script = (ROOT / "run").read_text()
+    (named,) = re.findall(r"^ *(.*) -h \| --help .*qt=.may", script, re.MULTILINE)
+    known = {
+        command.name or command.callback.__name__ for command in verbs.registered_commands if command.callback
+    }
+    assert set(named.rstrip(" |").split(" | ")) == known - {STUDIO}

@@ -54,6 +54,7 @@ class WorldCanvas(Surface):
         self._moment_node = ""
         self._trails, self._ink = Trails(), Ink()
         self._picture = Picture(self, self._paint)
+        self._is_stale = False
         self._soon = Later(self, self._paint_anew)  # never in one turn with what else there is to do
         self._coloring: tuple[Scene, object, Coloring] | None = None
         self.on_top = OnTop(studio, self)
@@ -269,7 +270,9 @@ class WorldCanvas(Surface):
     def touch(self) -> None:
         """Something that is shown has changed."""
         if self.isVisible():
-            self._soon.ask()
+            self._is_stale = self.window().isMinimized()  # nobody can see it
+            if not self._is_stale:
+                self._soon.ask()
 
     @property
     def is_pending(self) -> bool:
@@ -282,6 +285,8 @@ class WorldCanvas(Surface):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Show what was painted last."""
+        if self._is_stale:
+            self.touch()
         self._picture.show(self._studio.theme.color("canvas"))
 
     def _paint(self, painter: QPainter) -> None:

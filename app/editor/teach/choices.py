@@ -1,6 +1,6 @@
 """What can be picked for a node: the states of the automaton that is taught, and what could become one, with their keys."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...core.automaton import Automaton, Basic, Content, Nested, RaiseFlag, State
@@ -74,6 +74,33 @@ def choices_of(
     new = [choice for choice in addable if choice.slots or choice.content not in held]
     taken = {choice.key for choice in states}
     return (*states, *(_keyed(choice, letters[_basis(choice.content)], taken) for choice in new))
+
+
+def kept_in_place(choices: Sequence[Choice], before: Sequence[Choice]) -> tuple[Choice, ...]:
+    """The same choices, as far as can be where they were *before*: nobody's click is to land on a neighbor.
+
+    What has become a state stands where it was added from; what can be added once more, with other targets, goes to the end.
+    What is a state no more, since its pick was undone, stands where the state was.
+    """
+    left, known = list(choices), {_named(choice) for choice in before}
+    placed = []
+    for old in before:
+        found = next((choice for choice in left if _named(choice) == _named(old)), None)
+        alike = [choice for choice in left if _basis(choice.content) == _basis(old.content)]
+        if not old.state:
+            found = next((choice for choice in alike if choice.state and _named(choice) not in known), found)
+        elif found is None:
+            found = next((choice for choice in alike if not choice.state), None)
+        if found is not None:
+            left.remove(found)
+            placed.append(found)
+    last = max((at + 1 for at, choice in enumerate(placed) if choice.state), default=0)
+    states = [choice for choice in left if choice.state]
+    return (*placed[:last], *states, *placed[last:], *(choice for choice in left if not choice.state))
+
+
+def _named(choice: Choice) -> tuple[str, str]:
+    return choice.state, "" if choice.state else choice.name
 
 
 def examples_by_label(examples: Iterable[Example]) -> Mapping[str, int]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 
 from PySide6.QtCore import QRect, QSize, Qt, Signal
@@ -27,18 +27,16 @@ class ButtonFlow(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._needed: tuple[QWidget, ...] = ()
-        self._extra: tuple[QWidget, ...] = ()
-        self._last: tuple[QWidget, ...] = ()
+        self._order: tuple[QWidget, ...] = ()
+        self._needed: frozenset[QWidget] = frozenset()
         self._arranged: object = None
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
-    def hold(self, needed: Sequence[QWidget], extra: Sequence[QWidget], last: Sequence[QWidget]) -> None:
-        """Hold *needed* and *last* always, and between them as many of *extra* as there is room for."""
-        self._needed, self._extra, self._last = tuple(needed), tuple(extra), tuple(last)
-        order = (*needed, *extra, *last)
+    def hold(self, order: Sequence[QWidget], extra: Collection[QWidget] = ()) -> None:
+        """Hold these in this order; of *extra* among them, as many of the first as there is room for."""
+        self._order, self._needed = tuple(order), frozenset(order) - frozenset(extra)
         for widget in order:
             widget.setParent(self)
         for before, after in pairwise(order):
@@ -48,8 +46,7 @@ class ButtonFlow(QWidget):
 
     def arrange(self) -> None:
         """Place all anew if their sizes, or the width that they have, have changed."""
-        order = (*self._needed, *self._extra, *self._last)
-        arranged = self.width(), order, [widget.sizeHint() for widget in order]
+        arranged = self.width(), self._order, [widget.sizeHint() for widget in self._order]
         if arranged == self._arranged:
             return
         self._arranged = arranged
@@ -72,7 +69,7 @@ class ButtonFlow(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """The widest button, and the rows as it is now."""
-        widest = max((w.sizeHint().width() for w in (*self._needed, *self._last)), default=0)
+        widest = max((widget.sizeHint().width() for widget in self._needed), default=0)
         return QSize(widest, self.heightForWidth(max(self.width(), widest)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -82,26 +79,31 @@ class ButtonFlow(QWidget):
 
     def _place(self) -> None:
         placed = self._placed(self.width())
-        for widget in (*self._needed, *self._extra, *self._last):
+        for widget in self._order:
             if widget in placed:
                 widget.setGeometry(placed[widget])
             widget.setVisible(widget in placed)
 
     def _placed(self, width: int) -> dict[QWidget, QRect]:
+        lowest = max(self._top_of_last(self._needed, width), (EXTRA_ROWS - 1) * (ROW + GAP))
+        shown = set(self._needed)
+        for widget in self._order:
+            if widget not in shown:
+                if self._top_of_last({*shown, widget}, width) > lowest:
+                    break
+                shown.add(widget)
+        return self._in_rows(shown, width)
+
+    def _top_of_last(self, shown: Collection[QWidget], width: int) -> int:
+        """The top of the lowest row that these take."""
+        return max((rect.top() for rect in self._in_rows(shown, width).values()), default=0)
+
+    def _in_rows(self, shown: Collection[QWidget], width: int) -> dict[QWidget, QRect]:
         placed: dict[QWidget, QRect] = {}
         at = 0, 0, 0
-        for widget in self._needed:
-            at = _put(placed, widget, *at, width)
-        lowest = max(at[1], (EXTRA_ROWS - 1) * (ROW + GAP))
-        for widget in self._extra:
-            beyond = _put({}, widget, *at, width)
-            for other in self._last:
-                beyond = _put({}, other, *beyond, width)
-            if beyond[1] > lowest:
-                break
-            at = _put(placed, widget, *at, width)
-        for widget in self._last:
-            at = _put(placed, widget, *at, width)
+        for widget in self._order:
+            if widget in shown:
+                at = _put(placed, widget, *at, width)
         return placed
 
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from itertools import count
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from ...core.automaton import Automaton
 from ...core.edits import add_demonstration, remove_demonstration, replace_demonstration
 from ...core.errors import EditError
 from ...core.examples import Example
+from ...core.naming import slug
 from ...core.project import Demonstration, Project
 from ...engine.snapshots import Demonstrated, Picked, TakenBack
 
@@ -30,6 +33,15 @@ def demonstrations_of(examples: tuple[Example, ...]) -> Mapping[str, int]:
     if not _last or _last[0][0] is not examples:
         _last[:] = [(examples, Counter(example.demonstration for example in examples))]
     return _last[0][1]
+
+
+def free_name(project: Project, type_name: str, automaton: Automaton) -> str:
+    """What the next lesson of an automaton can be filed under: its name, and a number that no other has."""
+    used = {
+        *demonstrations_of(project.examples_of(type_name, automaton.id)),
+        *(demonstration.id for demonstration in project.demonstrations),
+    }
+    return next(free for n in count(1) if (free := f"{slug(automaton.name)}-{n}") not in used)
 
 
 class Keeping(QObject):

@@ -13,9 +13,10 @@ from ...core.automaton import Basic
 from ...core.wording import example_words
 from ...engine.snapshots import LessonView, Snapshot
 from ..forms.buttons import opens
+from ..selection import BehaviorKey
 from .adding import AddList
 from .button import BehaviorButton, Ring
-from .choices import Choice, choices_of, examples_by_label
+from .choices import Choice, choices_of, examples_by_label, kept_in_place
 from .flow import ButtonFlow, Rows
 from .lesson_row import LessonRow
 from .target_row import TargetRow
@@ -41,6 +42,8 @@ class LessonPage(QWidget):
         self.buttons: dict[str, BehaviorButton] = {}
         self._shortcuts: list[QShortcut] = []
         self._built_from: tuple[object, ...] = ()
+        self._order: tuple[Choice, ...] = ()  # as they stand; of what is taught since the lesson began
+        self._ordered_for: BehaviorKey | None = None
         self._shown_state = "", "", "", False
         self.flow = ButtonFlow()
         self.add = QToolButton()
@@ -131,6 +134,7 @@ class LessonPage(QWidget):
         automaton, key, lesson = self._teaching.automaton, self._teaching.key, self._teaching.lesson
         if automaton is None or key is None or lesson is None:
             self._leave()
+            self._ordered_for = None
             return
         library, vocabulary = (
             self._studio.document.project.library(key.type),
@@ -144,6 +148,8 @@ class LessonPage(QWidget):
         if built_from != self._built_from:
             self._built_from = built_from
             self.choices = choices_of(automaton, library, vocabulary, self._reserved())
+            if key != self._ordered_for:
+                self._order, self._ordered_for = (), key
             self._build()
         self._tell()
         self._count()
@@ -175,9 +181,9 @@ class LessonPage(QWidget):
         self._shortcuts += [
             self._shortcut(choice, key) for choice in self.choices for key in (choice.key, choice.also) if key
         ]
-        states = [self.buttons[choice.state] for choice in shown if choice.state]
+        self._order = kept_in_place(shown, self._order)
         new = [self.buttons[choice.name] for choice in shown if not choice.state]
-        self.flow.hold(states, new, (self.add,))
+        self.flow.hold([*(self.buttons[c.state or c.name] for c in self._order), self.add], new)
 
     def _leave_shortcuts(self) -> None:
         built = self._built_from

@@ -60,7 +60,7 @@ class QuestionBar(QFrame):
         self.let_go.setText(f"{letting_go.text()}   {keys}" if keys else letting_go.text())
         self.let_go.setToolTip(letting_go.toolTip())
         self.buttons = answers
-        self._flow.hold(answers, (), (self.let_go,))
+        self._flow.hold((*answers, self.let_go))
         self._fit_words()
         self.show()
 
@@ -81,7 +81,7 @@ class QuestionBar(QFrame):
         self.hide()
 
     def _clear(self) -> None:
-        self._flow.hold((), (), (self.let_go,))
+        self._flow.hold((self.let_go,))
         for button in self.buttons:
             button.hide()
             button.deleteLater()

@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import count, islice
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ...core.automaton import Automaton, Content
 from ...core.edits import Recorded
-from ...core.naming import slug
 from ...core.remembered import Remembered
 from ...engine.commands import Others, Pick, RunArm, ShouldNotHaveLeft, Step, Teach, Test
 from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot, TakenBack
 from ..selection import BehaviorKey
+from .arguments import Arguments
 from .asking import Asking
 from .choosing import Choosing
-from .keeping import Keeping, demonstrations_of
+from .keeping import Keeping, free_name
 from .pupils import arms_with, members, state_of
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ class Teaching(QObject):
         self.demonstration = ""
         self.picked = ""
         self.last: Picked | None = None
-        self._arguments: dict[BehaviorKey, dict[str, str]] = {}
+        self._arguments = Arguments()
         self._chosen: Remembered[str, tuple[str, ...]] = Remembered()  # ten thousand may be selected
         self._turn = ""
         self._then_teach = self._then_test = False
@@ -131,11 +131,7 @@ class Teaching(QObject):
         key, automaton = self.key, self.automaton
         if key is None or automaton is None:
             return {}
-        chosen = self._arguments.get(key, {})
-        lesson = self.lesson
-        if lesson is not None:
-            chosen = {**chosen, **lesson.plan.arguments}
-        return {slot: chosen[slot] for slot in automaton.parameters if slot in chosen}
+        return self._arguments.of(key, automaton, self.lesson)
 
     @property
     def open(self) -> tuple[str, ...]:
@@ -149,7 +145,10 @@ class Teaching(QObject):
         lesson = self.lesson
         if lesson is not None:
             return lesson.plan.demonstration
-        return self.demonstration or self._free_name()
+        key, automaton = self.key, self.automaton
+        if self.demonstration or key is None or automaton is None:
+            return self.demonstration
+        return free_name(self._studio.document.project, key.type, automaton)
 
     # ----------------------------------------------------------------------------- beginning and ending
 
@@ -203,7 +202,7 @@ class Teaching(QObject):
         key, lesson = self.key, self.lesson
         if key is None:
             return
-        self._arguments.setdefault(key, {})[parameter] = target
+        self._arguments.choose(key, parameter, target)
         if lesson is not None and lesson.plan.arguments.get(parameter) != target:
             self._again(lesson, {**lesson.plan.arguments, parameter: target}, lesson.plan.others)
         elif self._then_teach:
@@ -295,14 +294,16 @@ class Teaching(QObject):
     # ------------------------------------------------------------------------------------------- inside
 
     def _begin(self, key: BehaviorKey, nodes: tuple[str, ...]) -> None:
+        document, lesson = self._studio.document, self.lesson
+        automaton = document.automaton(key.type, key.id)
+        if automaton is None:
+            return
         self._then_teach = False
         self._turn = nodes[0]
         self.last, self.picked = None, ""
-        automaton = self._studio.document.automaton(key.type, key.id)
-        chosen = self._arguments.get(key, {})
-        arguments = {slot: chosen[slot] for slot in (automaton.parameters if automaton else ())}
-        plan = Teach(key.type, key.id, nodes, arguments, self.others, self.demonstration or self._free_name())
-        lesson = self.lesson
+        arguments = self._arguments.of(key, automaton)
+        filed = self.demonstration or free_name(document.project, key.type, automaton)
+        plan = Teach(key.type, key.id, nodes, arguments, self.others, filed)
         if lesson is not None and not self.demonstration:
             going_on = replace(plan, demonstration=lesson.plan.demonstration)
             if replace(going_on, nodes=lesson.plan.nodes) == lesson.plan:
@@ -325,12 +326,7 @@ class Teaching(QObject):
         """Parameters of an automaton for which no target that exists was chosen."""
         document = self._studio.document
         automaton, targets = document.automaton(key.type, key.id), document.vocabulary(key.type).targets
-        chosen = self._arguments.get(key, {})
-        return (
-            tuple(slot for slot in automaton.parameters if chosen.get(slot) not in targets)
-            if automaton
-            else ()
-        )
+        return () if automaton is None else self._arguments.missing(key, automaton, targets)
 
     def _nodes_for(self, key: BehaviorKey) -> tuple[str, ...]:
         """The selected nodes of the behavior's type, or else the first there is."""
@@ -362,19 +358,10 @@ class Teaching(QObject):
         snapshot = self._studio.snapshot
         return snapshot is not None and node in members(snapshot.place.hierarchy, lesson.plan.type)
 
-    def _free_name(self) -> str:
-        automaton, key, project = self.automaton, self.key, self._studio.document.project
-        if automaton is None or key is None:
-            return ""
-        used = set(demonstrations_of(project.examples_of(key.type, key.id)))
-        used |= {demonstration.id for demonstration in project.demonstrations}
-        name = slug(automaton.name)
-        return next(free for n in count(1) if (free := f"{name}-{n}") not in used)
-
     # -------------------------------------------------------------------------------------------- hearing
 
     def _opened(self) -> None:
-        self._arguments = {}
+        self._arguments.forget()
         self._turn, self._then_teach, self.picked, self.last = "", False, "", None
         self.demonstration = ""
         self.choosing.cancel()

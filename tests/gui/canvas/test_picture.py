@@ -7,6 +7,9 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from app.editor.canvas.frame import Frame
+from app.editor.canvas.ink import Ink
+from app.editor.canvas.painting import paint
 from app.editor.canvas.picture import Picture
 from app.engine.commands import Step
 
@@ -68,9 +71,36 @@ def test_what_was_forgotten_is_painted_anew(shown: Shown) -> None:
     assert color_at(shown, 0, 0) == "#a0b0c0"
 
 
+def watched_painting(monkeypatch: pytest.MonkeyPatch) -> list[Frame]:
+    """The frames of the world that are painted from now on."""
+    painted: list[Frame] = []
+
+    def noted(painter: QPainter, frame: Frame, ink: Ink, controllers: list[QColor]) -> None:
+        painted.append(frame)
+        paint(painter, frame, ink, controllers)
+
+    monkeypatch.setattr("app.editor.canvas.view.paint", noted)
+    return painted
+
+
 def test_a_step_of_the_world_is_seen(pilot: Pilot) -> None:
     before = pilot.picture()
     pilot.send(Step(60))
+    assert pilot.picture() != before
+
+
+def test_a_window_that_nobody_sees_paints_no_world_and_shows_it_as_it_is_once_it_is_back(
+    pilot: Pilot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = pilot.picture()
+    painted = watched_painting(monkeypatch)
+    pilot.window.showMinimized()
+    pilot.wait(pilot.window.isMinimized)
+    painted.clear()
+    pilot.send(Step(60))
+    assert painted == []
+    pilot.window.showNormal()
+    pilot.wait(lambda: painted)
     assert pilot.picture() != before
 
 
@@ -78,8 +108,7 @@ def test_what_lies_on_the_world_does_not_have_it_painted_anew(
     pilot: Pilot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pilot.picture()
-    painted: list[object] = []
-    monkeypatch.setattr("app.editor.canvas.view.paint", lambda *given: painted.append(given))
+    painted = watched_painting(monkeypatch)
     pilot.canvas.on_top.legend.update()
     pilot.canvas.on_top.badge.update()
     pilot.canvas.update()

@@ -163,3 +163,24 @@ def test_what_a_controller_directs_has_its_own_color_on_the_button_too(hand: Han
     assert colors["Forage"] == hand.studio.colors.color("agent", "forage").name()
     assert colors["ReturnWithBox"] == hand.studio.colors.color("agent", "return-with-box").name()
     assert colors["ReleaseBox"] == hand.studio.colors.color("agent", "").name()
+
+
+def test_buttons_stay_where_they_are_while_what_they_pick_becomes_a_state(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+
+    def stand() -> list[str]:
+        """What can be picked, from left to right and from above."""
+        seen = [
+            (button.y(), button.x(), name) for name, button in hand.page.buttons.items() if button.isVisible()
+        ]
+        names = {choice.state: choice.name for choice in hand.page.choices}
+        return [names.get(name, name) for _, _, name in sorted(seen)]
+
+    before = stand()
+    at = before.index("GrabBox")
+    hand.act(lambda: hand.click(hand.page.buttons["GrabBox"]))
+    hand.wait(lambda: "GrabBox" not in hand.page.buttons)
+    assert stand()[: at + 1] == before[: at + 1]
+    hand.undo()
+    hand.wait(lambda: "GrabBox" in hand.page.buttons)
+    assert stand()[: at + 1] == before[: at + 1]

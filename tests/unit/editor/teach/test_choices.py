@@ -4,7 +4,7 @@ from app.core.automaton import Automaton, Basic, Nested, RaiseFlag, Start, State
 from app.core.features import Ground
 from app.core.library import Library
 from app.core.vocabulary import DONE, BasicBehavior, Vocabulary
-from app.editor.teach.choices import DIGITS, LETTERS, Choice, choices_of
+from app.editor.teach.choices import DIGITS, LETTERS, Choice, choices_of, kept_in_place
 
 VOCABULARY = Vocabulary(
     behaviors={
@@ -85,3 +85,53 @@ def test_a_controller_is_offered_first_what_the_level_below_has_learned_last() -
     found = choices_of(lead, Library({"lead": lead}), vocabulary)
     assert [choice.name for choice in found][:3] == ["Control", "Forage", "Forward"]
     assert next(choice for choice in found if choice.name == "Forage").key == "F"
+
+
+# ------------------------------------------------------------------------------------------ where they stand
+
+
+def order(before: Automaton, *after: Automaton, others: tuple[Automaton, ...] = ()) -> list[list[str]]:
+    """How choices stand at first, and after each change of the automaton that is taught."""
+    placed: tuple[Choice, ...] = ()
+    found = []
+    for automaton in (before, *after):
+        library = Library({a.id: a for a in (automaton, *others)})
+        found_now = [c for c in choices_of(automaton, library, VOCABULARY) if c.kind != "flag"]
+        placed = kept_in_place(found_now, placed)
+        found.append([f"{choice.name}{'' if choice.state else '?'}" for choice in placed])
+    return found
+
+
+def test_at_first_states_stand_before_what_can_be_added() -> None:
+    (first,) = order(made("walk", Basic("Turn")))
+    assert first == ["Turn", "Forward?", "Stop?"]
+
+
+def test_what_becomes_a_state_stays_where_it_was_and_so_does_all_else() -> None:
+    first, second, third = order(
+        made("walk"), made("walk", Basic("Turn")), made("walk", Basic("Turn"), Basic("Forward"))
+    )
+    assert first == ["Forward?", "Stop?", "Turn?"]
+    assert second == ["Forward?", "Stop?", "Turn"]
+    assert third == ["Forward", "Stop?", "Turn"]
+
+
+def test_a_pick_that_is_undone_moves_nothing() -> None:
+    assert (
+        len(
+            {
+                tuple(name.strip("?") for name in names)
+                for names in order(made("walk"), made("walk", Basic("Turn")), made("walk"))
+            }
+        )
+        == 1
+    )
+
+
+def test_what_can_be_added_with_other_targets_goes_to_the_end_and_comes_back() -> None:
+    goto = made("goto", parameters=("x",))
+    bound = Nested("goto", {"x": Ground("deposit")})
+    first, second, third = order(made("walk"), made("walk", bound), made("walk"), others=(goto,))
+    assert first[0] == "Goto?"
+    assert second == ["Goto(deposit)", *first[1:], "Goto?"]
+    assert third == first
