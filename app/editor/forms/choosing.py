@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal
@@ -48,7 +48,12 @@ class _Field(QLineEdit):
 
 
 class Chooser(QComboBox):
-    """A list of choices that can be opened, or narrowed by typing any part of a name.
+    """A list of choices that can be opened, or narrowed by typing any part of a name; Enter takes the only one left.
+
+    Args:
+        name: What it is called to those who do not see it.
+        hint: What stands in it while nothing is chosen.
+        is_new: Whether what was typed names something of the user's own, which is not to become one of the choices.
 
     Attributes:
         field: Where one types.
@@ -61,9 +66,10 @@ class Chooser(QComboBox):
     chosen = Signal(object)
     entered = Signal()
 
-    def __init__(self, name: str, hint: str) -> None:
+    def __init__(self, name: str, hint: str, is_new: Callable[[str], bool] = lambda _: False) -> None:
         super().__init__()
         self._choices: tuple[Choice, ...] = ()
+        self._is_new = is_new
         self.setAccessibleName(name)
         self.field: QLineEdit = _Field()
         self.setEditable(True)
@@ -123,7 +129,17 @@ class Chooser(QComboBox):
     def _return_pressed(self) -> None:
         lit = self._popup.isVisible() and self._popup.currentIndex().isValid()
         if not lit:  # otherwise that is what Enter chooses
+            self._take_the_only_one()
             self.entered.emit()
+
+    def _take_the_only_one(self) -> None:
+        text = self.currentText().strip()
+        if not text or self.choice is not None or self._is_new(text):
+            return
+        left = [choice.name for choice in self._choices if text.casefold() in choice.name.casefold()]
+        if len(left) == 1:
+            self.setEditText(left[0])
+            self._typed()
 
     def _typed(self) -> None:
         choice = self.choice

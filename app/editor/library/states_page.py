@@ -74,7 +74,9 @@ class StatesPage(QWidget):
         self.states.moved.connect(lambda key, to: self._say(editing.do(move_state, key, to)))
         self.states.removed.connect(lambda key: self._say(editing.do(remove_state, key)))
         self.add = QPushButton("Add state")
-        self.new = Chooser("Behavior of a new state", "behavior or flag to add")
+        self.new = Chooser(
+            "Behavior of a new state", "behavior or flag to add", lambda text: _flag_named(text) is not None
+        )
         self.new.chosen.connect(lambda _: self._ready())
         self.new.field.textChanged.connect(lambda _: self._ready())
         self.new.entered.connect(self._add)
@@ -183,9 +185,7 @@ class StatesPage(QWidget):
         choice = self.new.choice
         if choice is not None:
             return choice.value  # type: ignore[return-value]  # `choices` offers contents
-        words = self.new.currentText().split(maxsplit=1)
-        named = len(words) == 2 and words[0].casefold() == "raise"
-        return RaiseFlag(words[1].strip()) if named else None
+        return _flag_named(self.new.currentText())
 
     def _ready(self) -> None:
         self.add.setEnabled(self._new_content() is not None)
@@ -229,6 +229,13 @@ class StatesPage(QWidget):
     def _say(self, message: str) -> str:
         self.trouble.say(message)
         return message
+
+
+def _flag_named(text: str) -> RaiseFlag | None:
+    """What raises the flag of these words, which begin with "raise"."""
+    words = text.split(maxsplit=1)
+    named = len(words) == 2 and words[0].casefold() == "raise"
+    return RaiseFlag(words[1].strip()) if named else None
 
 
 def _plain(content: Content) -> Content:

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
-from app.core.automaton import Basic, Nested, RaiseFlag
+from app.core.automaton import Basic, Nested, RaiseFlag, State
 from app.core.edits import note_project
 from app.core.features import Ground, Parameter, Sense
 from app.editor.forms.choosing import Chooser
@@ -261,3 +261,16 @@ def test_what_is_summed_up_decides_how_it_can_be(dialog: NewAutomatonDialog, qtb
     assert dialog.focusWidget() is form.over  # Enter goes on to what is left to choose
     choose(form.what, qtbot, "agents' DistanceTo(target)")
     assert offered() == ["mean", "least", "greatest"]
+
+
+def test_enter_takes_the_only_name_that_what_was_typed_is_a_part_of(
+    dialog: NewAutomatonDialog, qtbot: QtBot
+) -> None:
+    dialog.tabs.setCurrentWidget(dialog.states)
+    for typed in ("goto", "rotate", "raise f"):  # one name; two of them; a flag of the user's own
+        choose(dialog.states.new, qtbot, typed)
+    assert dialog.draft.automaton is not None
+    assert dialog.draft.automaton.states[1:] == (
+        State("goto", Nested("goto")),
+        State("f", RaiseFlag("f")),
+    )
