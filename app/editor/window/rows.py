@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: What the speed slider stands for, from left to right; None is as fast as it can.
 SPEEDS: tuple[float | None, ...] = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, None)
+#: The greatest seed that files can hold.
+MOST_SEED = 2**63 - 1
 
 
 def is_playing(studio: Studio) -> bool:
@@ -179,9 +181,10 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
 
 
 def next_seed(studio: Studio) -> None:
-    """Begin another world."""
+    """Begin another world; after the greatest seed comes the first."""
     if studio.snapshot is not None:
-        studio.bridge.send(Reset(studio.snapshot.seed + 1))
+        seed = studio.snapshot.seed
+        studio.bridge.send(Reset(0 if seed == MOST_SEED else seed + 1))
 
 
 def undo_words(studio: Studio) -> str:
@@ -261,7 +264,8 @@ def copy_place(studio: Studio) -> None:
     """Put what is shown into the clipboard, in words."""
     snapshot = studio.snapshot
     if snapshot is not None:
-        text = f"arm {snapshot.arm}, seed {snapshot.seed}, tick {snapshot.tick}"
+        place = f"scenario {snapshot.place.scenario}, arm {snapshot.arm}"
+        text = f"{place}, seed {snapshot.seed}, tick {snapshot.tick}"
         QGuiApplication.clipboard().setText(text)
         studio.say(f"copied: {text}")
 

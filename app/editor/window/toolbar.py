@@ -21,12 +21,11 @@ from PySide6.QtWidgets import (
 from ...engine.commands import Reset
 from ...engine.snapshots import Mode
 from ..icons import icon
-from .rows import SPEEDS, Speed, is_playing, speed_words
+from .rows import MOST_SEED, SPEEDS, Speed, is_playing, speed_words
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
-MOST_SEED = 2**63 - 1
 #: The field of the seed has room for at least and at most so many digits; longer seeds are scrolled in.
 SEED_DIGITS = (5, 10)
 

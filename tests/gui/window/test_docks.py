@@ -1,0 +1,73 @@
+"""Panels by keys, and what the next start finds of them; colors from the menu."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QMenu
+from pytestqt.qtbot import QtBot
+
+from app.core.project import Project
+from app.editor.settings import Settings
+from app.editor.studio import Studio
+from app.editor.theme import Theme, ThemeMode
+from app.editor.window.docks import DOCKS
+from app.editor.window.main_window import MainWindow
+from app.engine.scenarios import open_scenario
+
+#: Panels that only say what to do first, as long as nobody is selected and nothing is wrong.
+NOTHING_YET = ("inspector", "problems")
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+def in_sight(window: MainWindow, panel: str) -> bool:
+    dock = window.docks[panel]
+    return dock.isVisible() and not dock.visibleRegion().isEmpty()
+
+
+@pytest.mark.parametrize(("panel", "keys"), [(row.id, row.keys) for row in DOCKS])
+def test_alt_and_a_digit_brings_a_panel_to_the_front_and_hides_it_there(
+    window: MainWindow, qtbot: QtBot, panel: str, keys: str
+) -> None:
+    key = Qt.Key(Qt.Key.Key_0 + int(keys.removeprefix("Alt+")))
+    window.docks[panel].hide()
+    qtbot.keyClick(window, key, ALT)
+    qtbot.waitUntil(lambda: in_sight(window, panel))
+    if panel not in NOTHING_YET:
+        focus = QApplication.focusWidget()
+        assert focus is not None
+        assert window.docks[panel].isAncestorOf(focus)
+    qtbot.keyClick(window, key, ALT)
+    qtbot.waitUntil(lambda: not in_sight(window, panel))
+
+
+def test_panels_are_found_where_they_were_left_the_last_time(
+    qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
+) -> None:
+    qtbot.keyClick(window, Qt.Key.Key_1, ALT)
+    qtbot.keyClick(window, Qt.Key.Key_9, ALT)
+    window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, window.docks["inspector"])
+    qtbot.waitUntil(lambda: not in_sight(window, "library") and in_sight(window, "plots"))
+    with qtbot.waitSignal(window.closed):
+        window.close()
+    studio = Studio(Theme(qapp, settings.theme), settings)
+    later = MainWindow(studio)
+    qtbot.addWidget(later)
+    later.resize(window.size())
+    later.show()
+    studio.open(foraging, open_scenario(foraging), None, saved=True)
+    qtbot.waitUntil(lambda: in_sight(later, "plots") and in_sight(later, "inspector"))
+    assert later.docks["library"].isHidden()
+    assert later.dockWidgetArea(later.docks["inspector"]) is Qt.DockWidgetArea.LeftDockWidgetArea
+    later.hide()
+    studio.shut_down()
+
+
+def test_colors_are_chosen_in_the_menu_view(window: MainWindow, studio: Studio, qtbot: QtBot) -> None:
+    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "View")
+    assert isinstance(menu, QMenu)
+    for text, mode in (("Dark", ThemeMode.DARK), ("Light", ThemeMode.LIGHT)):
+        menu.popup(window.mapToGlobal(window.rect().topLeft()))
+        entry = next(action for action in menu.actions() if action.text() == text)
+        qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
+        assert studio.theme.is_dark is (mode is ThemeMode.DARK)
+        assert entry.isChecked()
+        assert studio.settings.theme is mode
