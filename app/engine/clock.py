@@ -38,7 +38,9 @@ class Clock:
     @property
     def most(self) -> int | None:
         """How many ticks may pass before something else is to happen; None if as many as there is time for."""
-        return self.stops_in if self.going_to is None else self.due
+        if self.going_to is None:
+            return self.stops_in
+        return self.due if self.stops_in is None else min(self.due, self.stops_in)
 
     def play(self, speed: float | None) -> None:
         """Let time pass at this speed.
@@ -57,9 +59,9 @@ class Clock:
         self._set(0.0, 0)
         self.stops_in = None
 
-    def stop_in(self, ticks: int) -> None:
-        """Let time stop after so many more ticks, at whatever speed they pass."""
-        if ticks > 0:
+    def stop_in(self, ticks: int | None) -> None:
+        """Let time stop after so many more ticks, at whatever speed they pass; None if it is just to go on."""
+        if ticks is None or ticks > 0:
             self.stops_in = ticks
         else:
             self.pause()

@@ -127,10 +127,10 @@ class Pause:
 class StopAt:
     """Stop time before *tick* of this run, or now if that is over, at whatever speed it passes until then.
 
-    A `Pause`, `Step`, `GoTo` or another world forgets it.
+    None, a `Pause`, `Step`, `GoTo` or another world forgets it.
     """
 
-    tick: int
+    tick: int | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -234,7 +234,7 @@ class Session(Course):
 
     @_obey.register
     def _(self, command: StopAt) -> None:
-        self._clock.stop_in(command.tick - self.tick)
+        self._clock.stop_in(None if command.tick is None else command.tick - self.tick)
 
     @_obey.register
     def _(self, command: Step) -> None:

@@ -140,7 +140,7 @@ class Snapshot:
         lesson: What is being taught or tested, if anything is.
         asked: What the user has been asked and has not answered yet.
         going_to: The tick that a `GoTo` is on its way to.
-        stops_at: The tick before which time stops, see `StopAt`.
+        stops_at: The tick before which time stops, see `StopAt`; None if it just goes on.
         earliest: The first tick of the run that can be gone back to.
     """
 

@@ -50,8 +50,11 @@ class Guide(QFrame):
         self._over = over
         self._studio = window.studio
         self.step = 0
+        self._wanted: int | None = (
+            None  # the step to begin at, while the user is asked whether to leave a project
+        )
         self._picked, self._from_tick = "", 0
-        self._stopped = False
+        self._stopped = False  # at the moment that the step is about
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
         self.ring = Ring(window, self._studio.theme)
@@ -143,8 +146,6 @@ class Guide(QFrame):
         if self._is_here:
             self._show(step)
 
-    _wanted: int | None = None
-
     def _failed(self, error: UnderstudyError) -> None:
         self._studio.warn(str(error))
 
@@ -157,8 +158,10 @@ class Guide(QFrame):
             self._show(step)
 
     def leave(self) -> None:
-        """Put the lesson away; it can be taken up again."""
+        """Put the lesson away; it can be taken up again. Time does not stop for it any more."""
         self.ring.point_at("")
+        if self.isVisible() and self._studio.bridge.is_open:
+            self._studio.bridge.send(StopAt(None))
         self.hide()
 
     def _show(self, step: int) -> None:
@@ -233,7 +236,7 @@ class Guide(QFrame):
             self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
-        """Have time stop after *left* ticks, also where the window is late.
+        """Have time stop after *left* ticks, also where the window is late; None if it is to go on.
 
         Once the moment is missed, because the user let time go on, it is the next one that counts.
         """
@@ -241,8 +244,9 @@ class Guide(QFrame):
             self._stopped = False
         elif snapshot.speed == 0.0:
             self._stopped = left == 0
-        elif not self._stopped and snapshot.stops_at != snapshot.tick + left:
-            self._studio.bridge.send(StopAt(snapshot.tick + left))
+        wanted = None if left is None or self._stopped else snapshot.tick + left
+        if snapshot.stops_at != wanted:
+            self._studio.bridge.send(StopAt(wanted))
 
     # ------------------------------------------------------------------------------------------------ looks
 

@@ -65,8 +65,8 @@ def time_stands_still(window: MainWindow) -> Callable[[], bool]:
     return lambda: studio.snapshot is not None and studio.snapshot.speed == 0.0
 
 
-def teach_wander(window: MainWindow, qtbot: QtBot) -> None:
-    """Do what the first half of the lesson says."""
+def turn_left(window: MainWindow, qtbot: QtBot) -> None:
+    """Do what the lesson says until the agent turns left, while time passes."""
     qtbot.keyClick(window, Qt.Key.Key_T)
     at(window, qtbot, "Send it ahead")
     pick(window, qtbot, "Forward")
@@ -76,6 +76,11 @@ def teach_wander(window: MainWindow, qtbot: QtBot) -> None:
     pick(window, qtbot, "RotateLeft")
     at(window, qtbot, "And ahead again")
     wait_ticks(window, qtbot, 10)
+
+
+def teach_wander(window: MainWindow, qtbot: QtBot) -> None:
+    """Do what the first half of the lesson says."""
+    turn_left(window, qtbot)
     pick(window, qtbot, "Forward")
     at(window, qtbot, "Turn it right")
     qtbot.waitUntil(time_stands_still(window), timeout=PATIENCE)
@@ -120,6 +125,28 @@ def test_time_stops_where_either_turn_is_fine_so_that_agents_turn_by_chance(
         zip(tree.labels, tree.decide({"ticks": turns["rotate-left"]}.__getitem__).probabilities, strict=True)
     )
     assert outcome["rotate-left"] == outcome["rotate-right"] == 0.5
+
+
+@pytest.mark.parametrize("way", ["picks early", "skips the step", "leaves the lesson"])
+def test_time_does_not_stop_later_for_who_goes_on_before_it_has_stopped(
+    lesson: MainWindow, qtbot: QtBot, way: str
+) -> None:
+    def stops() -> bool:
+        return lesson.studio.snapshot is not None and lesson.studio.snapshot.stops_at is not None
+
+    turn_left(lesson, qtbot)
+    qtbot.keyClick(lesson, Qt.Key.Key_Space)
+    qtbot.waitUntil(time_stands_still(lesson), timeout=PATIENCE)
+    pick(lesson, qtbot, "Forward")
+    at(lesson, qtbot, "Turn it right")
+    qtbot.keyClick(lesson, Qt.Key.Key_Period)
+    qtbot.waitUntil(stops, timeout=PATIENCE)
+    if way == "picks early":
+        pick(lesson, qtbot, "RotateRight")
+    else:
+        button = lesson.guide.skip if way == "skips the step" else lesson.guide.close_button
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: not stops(), timeout=PATIENCE)
 
 
 def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(

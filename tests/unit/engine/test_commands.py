@@ -307,6 +307,14 @@ def test_time_stops_before_a_tick_at_any_speed_and_however_many_ticks_are_dealt_
         assert session.tick == 12
 
 
+def test_time_stops_on_the_way_to_a_tick_too() -> None:
+    session = Driver().session
+    session.send(GoTo(9))
+    session.send(StopAt(4))
+    session.advance(100)
+    assert (session.tick, session.playing) == (4, False)
+
+
 def test_time_stops_now_where_the_tick_is_over() -> None:
     session = Driver().session
     session.send(Play())
@@ -317,7 +325,7 @@ def test_time_stops_now_where_the_tick_is_over() -> None:
 
 def test_another_speed_leaves_the_stop_alone_and_anything_else_forgets_it() -> None:
     session = Driver().session
-    for command in (Pause(), Step(2), GoTo(9), Reset()):
+    for command in (StopAt(None), Pause(), Step(2), GoTo(9), Reset()):
         session.send(Play())
         session.send(StopAt(session.tick + 4))
         session.send(Play(2.0))
