@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
 from ...sim.columns import AGENT
@@ -15,6 +16,7 @@ from ..theme import text_font
 from .arrays import Floats, draw_copies
 from .frame import Frame, load_radius
 from .ink import Ink
+from .stamp import stamp
 
 #: Pixels of words in a load, and the radius from which on there are some.
 WORDS, ROOM = 10, 7.5
@@ -22,6 +24,21 @@ WORDS, ROOM = 10, 7.5
 LARGE = 60.0
 
 Rows = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """How some bodies look that differ only in where they are.
+
+    Attributes:
+        words: What is written on them, where there is room.
+        radius: Pixels of the view.
+        full: As many hold them as they need.
+    """
+
+    words: str
+    radius: float
+    full: bool
 
 
 def paint_bodies(painter: QPainter, frame: Frame, ink: Ink) -> None:
@@ -32,10 +49,10 @@ def paint_bodies(painter: QPainter, frame: Frame, ink: Ink) -> None:
             continue
         true = load_radius(scene, kind, frame.camera, frame.extent)
         for entities, words, full in _sorts(frame, kind, span):
-            radius = _wide_enough(ink, words, true)
-            x, y = _in_view(frame, entities, radius)
+            body = Body(words, _wide_enough(ink, words, true), full)
+            x, y = _in_view(frame, entities, body.radius)
             if x.size:
-                _paint_all(painter, frame, ink, (x, y), (words, radius, full))
+                _paint_all(painter, frame, ink, (x, y), body)
 
 
 def paint_counts(painter: QPainter, frame: Frame, ink: Ink) -> None:
@@ -45,7 +62,9 @@ def paint_counts(painter: QPainter, frame: Frame, ink: Ink) -> None:
     if span is None or not look.got:
         return
     true = load_radius(scene, look.loads, frame.camera, frame.extent)
-    for entities, words, _ in _sorts(frame, look.loads, span) if true >= ROOM else ():
+    if true < ROOM:
+        return
+    for entities, words, _ in _sorts(frame, look.loads, span):
         x, y = _in_view(frame, entities, true)
         if x.size and not words.startswith("0/"):
             key = ("count", words, frame.palette.raised, frame.ratio)
@@ -57,16 +76,13 @@ def _count(frame: Frame, words: str) -> QPixmap:
     path = QPainterPath()
     path.addText(0.0, 0.0, text_font(WORDS), words)
     box = path.boundingRect().adjusted(-2.0, -2.0, 2.0, 2.0)
-    pixmap = QPixmap(round(box.width() * frame.ratio), round(box.height() * frame.ratio))
-    pixmap.setDevicePixelRatio(frame.ratio)
-    pixmap.fill(QColor(0, 0, 0, 0))
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.translate(-box.topLeft())
-    painter.strokePath(path, QPen(QColor(frame.palette.raised), 3.0, j=Qt.PenJoinStyle.RoundJoin))
-    painter.fillPath(path, QColor(frame.palette.text))
-    painter.end()
-    return pixmap
+
+    def draw(painter: QPainter) -> None:
+        painter.translate(-box.center())
+        painter.strokePath(path, QPen(QColor(frame.palette.raised), 3.0, j=Qt.PenJoinStyle.RoundJoin))
+        painter.fillPath(path, QColor(frame.palette.text))
+
+    return stamp(box.size(), frame.ratio, draw)
 
 
 def _sorts(frame: Frame, kind: str, span: range) -> Iterator[tuple[Rows, str, bool]]:
@@ -99,40 +115,31 @@ def _in_view(frame: Frame, entities: Rows, radius: float) -> tuple[Floats, Float
     return x[across & down], y[across & down]
 
 
-def _paint_all(
-    painter: QPainter, frame: Frame, ink: Ink, places: tuple[Floats, Floats], body: tuple[str, float, bool]
-) -> None:
+def _paint_all(painter: QPainter, frame: Frame, ink: Ink, places: tuple[Floats, Floats], body: Body) -> None:
     """The same body at many places, from a pixmap that was drawn before."""
-    words, radius, full = body
-    if radius > LARGE:
+    if body.radius > LARGE:
         for x, y in zip(*(values.tolist() for values in places), strict=True):
             _paint_body(painter, frame, ink, QPointF(x, y), body)
         return
-    radius = round(radius * 2) / 2
-    key = (words, radius, full, frame.palette.raised, frame.ratio)
-    draw_copies(painter, ink.pixmap(key, partial(_drawn, frame, ink, (words, radius, full))), *places)
+    body = replace(body, radius=round(body.radius * 2) / 2)
+    key = (body, frame.palette.raised, frame.ratio)
+    draw_copies(painter, ink.pixmap(key, partial(_drawn, frame, ink, body)), *places)
 
 
-def _drawn(frame: Frame, ink: Ink, body: tuple[str, float, bool]) -> QPixmap:
-    side = int(2 * (body[1] + 3.0) * frame.ratio)
-    pixmap = QPixmap(side, side)
-    pixmap.setDevicePixelRatio(frame.ratio)
-    pixmap.fill(QColor(0, 0, 0, 0))
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    middle = side / frame.ratio / 2
-    _paint_body(painter, frame, ink, QPointF(middle, middle), body)
-    painter.end()
-    return pixmap
+def _drawn(frame: Frame, ink: Ink, body: Body) -> QPixmap:
+    side = 2 * (body.radius + 3.0)
+    return stamp(
+        QSizeF(side, side),
+        frame.ratio,
+        lambda painter: _paint_body(painter, frame, ink, QPointF(0.0, 0.0), body),
+    )
 
 
-def _paint_body(
-    painter: QPainter, frame: Frame, ink: Ink, center: QPointF, body: tuple[str, float, bool]
-) -> None:
+def _paint_body(painter: QPainter, frame: Frame, ink: Ink, center: QPointF, body: Body) -> None:
     """A disk: green and thicker at the edge if it is full."""
-    (words, radius, full), colors = body, frame.palette
+    colors = frame.palette
     painter.setBrush(QColor(colors.raised))
-    painter.setPen(QPen(QColor(colors.good if full else colors.dim), 2.0 if full else 1.4))
-    painter.drawEllipse(center, radius, radius)
-    if words and radius >= ROOM:
-        ink.write(painter, center, words, QColor(colors.text), WORDS, centered=True)
+    painter.setPen(QPen(QColor(colors.good if body.full else colors.dim), 2.0 if body.full else 1.4))
+    painter.drawEllipse(center, body.radius, body.radius)
+    if body.words and body.radius >= ROOM:
+        ink.write(painter, center, body.words, QColor(colors.text), WORDS, centered=True)

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from math import ceil
-
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from .arrays import draw_copies, draw_fragments, draw_lines, draw_polyline
 from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
 from .ink import Ink
+from .stamp import stamp
 
 #: How much those stay visible that the legend does not light up.
 FADED = 0.2
@@ -164,17 +163,14 @@ def paint_rings(painter: QPainter, frame: Frame, ink: Ink) -> None:
 def _paint_tight_rings(painter: QPainter, frame: Frame, agents: NDArray[np.int64], color: QColor) -> None:
     """Rings around very many, close around each, from one picture of a ring: wide ones would cover the world."""
     radius = frame.agent_size * 0.5 + 2.0
-    half = ceil((radius + 1.0) * frame.ratio)
-    ring = QPixmap(2 * half, 2 * half)
-    ring.setDevicePixelRatio(frame.ratio)
-    ring.fill(Qt.GlobalColor.transparent)
-    onto = QPainter(ring)
-    onto.setRenderHint(QPainter.RenderHint.Antialiasing)
-    onto.setPen(QPen(color, 1.2))
-    onto.drawEllipse(QPointF(half, half) / frame.ratio, radius, radius)
-    onto.end()
+    side = 2 * (radius + 1.0)
+
+    def draw(onto: QPainter) -> None:
+        onto.setPen(QPen(color, 1.2))
+        onto.drawEllipse(QPointF(0.0, 0.0), radius, radius)
+
     x, y = frame.places()
-    draw_copies(painter, ring, x[agents], y[agents])
+    draw_copies(painter, stamp(QSizeF(side, side), frame.ratio, draw), x[agents], y[agents])
 
 
 def _paint_hovered(painter: QPainter, frame: Frame, center: QPointF, radius: float) -> None:

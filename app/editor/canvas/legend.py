@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter, QPixmap
+from PySide6.QtCore import QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetrics, QIcon, QPainter
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from ..forms.buttons import opens
@@ -13,6 +13,7 @@ from ..icons import icon
 from .atlas import Look, Style, paint_agent
 from .coloring import ATTACHED, RUNS, SHAPES, ColorBy, Coloring, Entry
 from .looking import Looking
+from .stamp import stamp
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -165,16 +166,14 @@ class Legend(QFrame):
     def _swatch(self, entry: Entry) -> QIcon:
         """The shape as it is drawn in the world, pointing to the right."""
         ratio = self.devicePixelRatioF()
-        pixmap = QPixmap(round(SWATCH * ratio), round(SWATCH * ratio))
-        pixmap.setDevicePixelRatio(ratio)
-        pixmap.fill(Qt.GlobalColor.transparent)
         colors = self._studio.theme.palette
-        painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.translate(SWATCH / 2 - (1.5 if entry.shape >= SHAPES else 0.0), SWATCH / 2)
-        paint_agent(painter, Look(entry.color, entry.shape), Style(11.0, ratio, colors.raised, colors.text))
-        painter.end()
-        return QIcon(pixmap)
+        look, style = Look(entry.color, entry.shape), Style(11.0, ratio, colors.raised, colors.text)
+
+        def draw(painter: QPainter) -> None:
+            painter.translate(-1.5 if entry.shape >= SHAPES else 0.0, 0.0)  # the bar in front needs room
+            paint_agent(painter, look, style)
+
+        return QIcon(stamp(QSizeF(SWATCH, SWATCH), ratio, draw))
 
     def dress(self) -> None:
         """In the colors of the palette."""
