@@ -117,6 +117,10 @@ class Hand(QObject):
         frame = self._frame()
         return -1 if frame is None else entity_at(frame, at.x, at.y)
 
+    def sought(self) -> frozenset[int]:
+        """The entities that are marked as what can be chosen; an agent that stands upon one does not hide it."""
+        return frozenset() if self.choice is None else self.choice.targets()
+
     def cannot_drag(self) -> str:
         """Why nothing can be dragged now; empty if it can."""
         snapshot = self._studio.snapshot
@@ -147,9 +151,10 @@ class Hand(QObject):
 
     def choose(self, at: Pointer) -> bool:
         """Choose what is there, for who has asked; whether it was one of those that can be chosen."""
-        entity, choice = self.entity_at(at), self.choice
+        frame, choice = self._frame(), self.choice
         if choice is None:
             return True
+        entity = -1 if frame is None else entity_at(frame, at.x, at.y, self.sought())
         if entity < 0:
             self.say(f"nothing is at that place; {choice.prompt}")
             return False

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,20 +20,33 @@ PLACE = 9.0
 Floats = NDArray[np.float64]
 
 
-def entity_at(frame: Frame, x: float, y: float) -> int:
-    """The entity at a pixel, -1 if there is none: agents before all others, which are under them."""
+def entity_at(frame: Frame, x: float, y: float, first: Collection[int] = ()) -> int:
+    """The entity at a pixel, -1 if there is none: agents before all others, which are under them.
+
+    Args:
+        first: Those that come before everything that lies upon them.
+    """
     xs, ys = frame.places()
     away = np.hypot(xs - x, ys - y)
-    found = _nearest(away[: frame.scene.agents], max(frame.agent_size * 0.6, NEAR_AGENT))
-    if found >= 0:
-        return found
-    for kind, span in frame.scene.place.spans.items():
-        if kind == AGENT or not len(span):
-            continue
-        found = _nearest(away[span.start : span.stop], body_radius(frame, kind) + NEAR / 2)
+    spans = frame.scene.place.spans.items()
+    sought = [
+        entity
+        for kind, span in spans
+        for entity in first
+        if entity in span and away[entity] <= _reach(frame, kind)
+    ]
+    if sought:
+        return min(sought, key=lambda entity: float(away[entity]))
+    for kind, span in sorted(spans, key=lambda item: item[0] != AGENT):
+        found = _nearest(away[span.start : span.stop], _reach(frame, kind))
         if found >= 0:
             return span.start + found
     return -1
+
+
+def _reach(frame: Frame, kind: str) -> float:
+    """How near is near enough to one of a kind, pixels."""
+    return max(frame.agent_size * 0.6, NEAR_AGENT) if kind == AGENT else body_radius(frame, kind) + NEAR / 2
 
 
 def body_radius(frame: Frame, kind: str) -> float:

@@ -16,9 +16,12 @@ if TYPE_CHECKING:
     from ..studio import Studio
     from .choosing import Choosing
 
+#: Pixels of a parameter's name; a longer one would make the window wider.
+LONGEST = 72
+
 
 class TargetRow(QWidget):
-    """A line of slots: "X is [nearest visible box]  or click it in the world"."""
+    """A line of slots: "X is [nearest visible box]  or click it"."""
 
     def __init__(self, studio: Studio) -> None:
         super().__init__()
@@ -59,7 +62,7 @@ class TargetRow(QWidget):
         self.menus, self.clicks, self.cancel = {}, {}, None
         choosing = self._choosing
         if choosing.adding is not None:
-            self._layout.addWidget(QLabel(f"New state {choosing.adding.name}:"))
+            self._layout.addWidget(_cut(QLabel(), f"New state {choosing.adding.name}", ":", 2 * LONGEST))
         for slot in choosing.slots:
             self._add_slot(slot)
         if choosing.is_busy:
@@ -69,9 +72,9 @@ class TargetRow(QWidget):
         self.setVisible(bool(choosing.slots))
 
     def _add_slot(self, slot: str) -> None:
-        caption = QLabel(f"{slot} is")
+        caption = QLabel()
         caption.setProperty("role", "caption")
-        self._layout.addWidget(caption)
+        self._layout.addWidget(_cut(caption, slot, " is", LONGEST))
         bound = self._choosing.bound(slot)
         button = QToolButton()
         button.setText(_words(bound) or "choose…")
@@ -91,7 +94,7 @@ class TargetRow(QWidget):
         told = (
             len(self._choosing.slots) == 1 and bound is None
         )  # others stand beside each other, in few words
-        click = self._flat("or click it in the world" * told, f"Choose what {slot} is by a click on it")
+        click = self._flat("or click it" * told, f"Choose what {slot} is by a click on it")
         click.setAccessibleName(f"Click what {slot} is")
         click.setIcon(icon("crosshairs-gps", self._studio.theme, "dim"))
         click.clicked.connect(lambda: self._choosing.ask_for(slot))
@@ -118,8 +121,8 @@ class TargetRow(QWidget):
         snapshot, meanings = self._studio.snapshot, self._choosing.meanings()
         if isinstance(binding, Ground) and snapshot is not None and binding.target in meanings:
             entity = meanings[binding.target]
-            now = "nobody now" if entity < 0 else snapshot.place.entity_called(entity)
-            action.setText(f"{words}   ({now})")
+            now = "none now" if entity < 0 else snapshot.place.entity_called(entity)
+            action.setText(words if now == words else f"{words}   ({now})")
         if isinstance(binding, Ground) and self._studio.teaching.key is not None:
             vocabulary = self._studio.document.vocabulary(self._studio.teaching.key.type)
             action.setToolTip(vocabulary.targets[binding.target].doc)
@@ -141,3 +144,11 @@ def _words(binding: Binding | None) -> str:
     if binding is None:
         return ""
     return binding.target if isinstance(binding, Ground) else f"{binding.name} (its own parameter)"
+
+
+def _cut(label: QLabel, name: str, after: str, room: int) -> QLabel:
+    """Say a name with no more than so many pixels of it; all of it is in the tool tip."""
+    label.ensurePolished()
+    label.setText(label.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, room) + after)
+    label.setToolTip(name)
+    return label

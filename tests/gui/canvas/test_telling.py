@@ -223,3 +223,16 @@ def test_a_click_on_nothing_while_something_is_to_be_chosen_is_answered(pilot: P
     pilot.click(pilot.nowhere())
     assert said == ["nothing is at that place; click what X of Goto is to be"]
     assert pilot.studio.teaching.choosing.is_busy
+
+
+def test_an_agent_upon_a_target_is_not_chosen_in_its_place(pilot: Pilot) -> None:
+    pilot.studio.selection.select_behavior(BehaviorKey("agent", "goto"))
+    (deposit,) = pilot.frame.scene.place.spans["deposit"]
+    agent, there = pilot.alone(), pilot.at(deposit)
+    pilot.drag(pilot.at(agent), there)
+    pilot.wait(lambda: pilot.canvas.hand.dragged is None and pilot.at(agent) == there)
+    pilot.choose("teach.teach")
+    pilot.wait(lambda: deposit in pilot.canvas.hand.sought())
+    pilot.click(there)
+    pilot.wait(lambda: pilot.studio.teaching.lesson is not None)
+    assert pilot.studio.teaching.arguments == {"X": "deposit"}

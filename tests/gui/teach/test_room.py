@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QMenu, QToolButton
 
+from app.core.edits import rename_parameter
 from tests.gui.teach.hand import Hand
 
 ICON, WORDS = Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextBesideIcon
@@ -26,6 +27,21 @@ def test_a_window_keeps_its_size_whatever_is_taught_and_tested(hand: Hand) -> No
     hand.settle()
     hand.test()
     assert (hand.window.width(), hand.window.height()) == SMALL
+    assert {dock: dock.width() for dock in sides} == sides
+
+
+def test_a_window_keeps_its_size_whatever_parameters_are_called(hand: Hand) -> None:
+    hand.window.resize(*SMALL)
+    hand.show("Wander", "agent-3")
+    hand.settle()
+    sides = {hand.window.docks[name]: hand.window.docks[name].width() for name in ("library", "graph")}
+    hand.studio.document.attempt(rename_parameter, "agent", "goto", "X", "WhereTheJourneyGoes")
+    hand.show("Goto", "agent-3")
+    hand.settle()
+    assert {dock: dock.width() for dock in sides} == sides
+    hand.key(Qt.Key.Key_T)
+    hand.wait(lambda: hand.studio.teaching.choosing.is_busy)
+    hand.settle()
     assert {dock: dock.width() for dock in sides} == sides
 
 
