@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Signal
@@ -52,13 +52,13 @@ class Hovering(QObject):
         self._frame = frame
         self.entity, self.node = -1, ""
 
-    def look(self, x: float, y: float, *, is_live: bool) -> None:
-        """Tell about what is at a pixel."""
+    def look(self, x: float, y: float, *, is_live: bool, first: Collection[int] = ()) -> None:
+        """Tell about what is at a pixel; those that come *first* come before what lies upon them."""
         frame = self._frame()
         if frame is None:
             self.nothing()
             return
-        entity = entity_at(frame, x, y)
+        entity = entity_at(frame, x, y, first)
         node = frame.scene.node(entity) if entity >= 0 else controller_at(frame, x, y)
         self._point(entity, node, watched=is_live)
         if entity < 0 and not node:

@@ -157,7 +157,7 @@ class Surface(QWidget):
         if busy or not self.rect().contains(at.toPoint()):
             self.hovering.nothing()
         else:
-            self.hovering.look(at.x(), at.y(), is_live=self.is_live)
+            self.hovering.look(at.x(), at.y(), is_live=self.is_live, first=self.hand.sought())
 
     def _hovers(self) -> None:
         self._set_cursor()

@@ -233,6 +233,8 @@ def test_an_agent_upon_a_target_is_not_chosen_in_its_place(pilot: Pilot) -> None
     pilot.wait(lambda: pilot.canvas.hand.dragged is None and pilot.at(agent) == there)
     pilot.choose("teach.teach")
     pilot.wait(lambda: deposit in pilot.canvas.hand.sought())
+    pilot.hover(there)
+    assert pilot.canvas.hovering.entity == deposit
     pilot.click(there)
     pilot.wait(lambda: pilot.studio.teaching.lesson is not None)
     assert pilot.studio.teaching.arguments == {"X": "deposit"}
