@@ -1,76 +1,22 @@
 """The window of experiments as a user handles it."""
 
 import json
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QPushButton, QTableView
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import note_project, set_world
-from app.core.project import Project
 from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
 from app.editor.forms.choosing import Chooser
-from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
-from app.engine.experiments.laboratory import Stage
-from app.engine.scenarios import open_scenario
-from tests.gui.conftest import FORAGING, PATIENCE
+from tests.gui.conftest import PATIENCE
 from tests.gui.documents.desk import answer, question
+from tests.gui.experiments.looking import finished, made, small, told
 from tests.patient_bot import have_done_what_is_due
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the foraging project that can be written to."""
-    ignored = shutil.ignore_patterns("results", "*.sqlite*", "reports")
-    return Path(shutil.copytree(FORAGING, tmp_path / "foraging", ignore=ignored))
-
-
-@pytest.fixture
-def shown(
-    empty_studio: Studio, foraging: Project, folder: Path, qtbot: QtBot
-) -> Iterator[tuple[MainWindow, ExperimentsWindow]]:
-    """The window over the copied project, asked for by its shortcut."""
-    window = MainWindow(empty_studio)
-    qtbot.addWidget(window)
-    window.show()
-    empty_studio.open(foraging, open_scenario(foraging), folder)
-    qtbot.waitUntil(lambda: empty_studio.snapshot is not None, timeout=PATIENCE)
-    qtbot.waitUntil(empty_studio.actions["experiment.show"].isEnabled, timeout=PATIENCE)
-    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
-    qtbot.keyClick(window, Qt.Key.Key_X, keys)
-    experiments = window.experiments.window
-    assert experiments is not None
-    yield window, experiments
-    experiments.close()
-
-
-def told(window: ExperimentsWindow, words: str) -> bool:
-    return words in window.controls.told.text()
-
-
-def finished(window: ExperimentsWindow) -> bool:
-    look = window.running.look
-    return look is not None and look.stage is Stage.FINISHED
-
-
-def made(window: ExperimentsWindow) -> list[tuple[int, int, float]]:
-    """The runs that there are, with how long each took: a run that is made again takes another time."""
-    assert window.kept is not None
-    return [(row.cell, row.run, row.seconds) for row in window.kept.rows]
-
-
-def small(window: ExperimentsWindow, name: str = "figure3", runs: int = 2) -> None:
-    """Ask for so little that it takes no time."""
-    window.listing.choose(name)
-    window.controls.ticks.setValue(200)
-    window.controls.runs.setValue(runs)
 
 
 def test_the_experiments_of_the_project_are_listed(shown: tuple[MainWindow, ExperimentsWindow]) -> None:
