@@ -28,6 +28,7 @@ class BehaviorButton(QAbstractButton):
     """One behavior that can be picked.
 
     Attributes:
+        color: Of its swatch.
         key: Shown on it.
         ring: Whether the node does this.
         ring_color: A color of the palette by its name: ``teach`` or ``accent``.
@@ -38,7 +39,7 @@ class BehaviorButton(QAbstractButton):
     ) -> None:
         super().__init__(parent)
         self._theme = theme
-        self._color = color
+        self.color = color
         self._caption = ""
         self._ghost = False
         self._dimmed = False
@@ -96,7 +97,7 @@ class BehaviorButton(QAbstractButton):
         left = EDGE
         swatch = QRectF(left, (self.height() - SWATCH) / 2, SWATCH, SWATCH)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(mixed(self._color.name(), colors.panel, 0.5 if faint else 0.0))
+        painter.setBrush(mixed(self.color.name(), colors.panel, 0.5 if faint else 0.0))
         painter.drawRoundedRect(swatch, 3, 3)
         left += SWATCH + GAP
         words = self.width() - left - EDGE - (KEY + GAP if self.key else 0)

@@ -85,12 +85,7 @@ def kept_in_place(choices: Sequence[Choice], before: Sequence[Choice]) -> tuple[
     left, known = list(choices), {_named(choice) for choice in before}
     placed = []
     for old in before:
-        found = next((choice for choice in left if _named(choice) == _named(old)), None)
-        alike = [choice for choice in left if _basis(choice.content) == _basis(old.content)]
-        if not old.state:
-            found = next((choice for choice in alike if choice.state and _named(choice) not in known), found)
-        elif found is None:
-            found = next((choice for choice in alike if not choice.state), None)
+        found = _become_of(old, left, known)
         if found is not None:
             left.remove(found)
             placed.append(found)
@@ -99,7 +94,21 @@ def kept_in_place(choices: Sequence[Choice], before: Sequence[Choice]) -> tuple[
     return (*placed[:last], *states, *placed[last:], *(choice for choice in left if not choice.state))
 
 
+def _become_of(old: Choice, choices: Sequence[Choice], known: Collection[tuple[str, str]]) -> Choice | None:
+    """The choice that stands where *old* stood; None if it is gone.
+
+    Args:
+        known: What was there before, so that it stands where it did itself.
+    """
+    same = next((choice for choice in choices if _named(choice) == _named(old)), None)
+    alike = [choice for choice in choices if _basis(choice.content) == _basis(old.content)]
+    if not old.state:
+        return next((choice for choice in alike if choice.state and _named(choice) not in known), same)
+    return same or next((choice for choice in alike if not choice.state), None)
+
+
 def _named(choice: Choice) -> tuple[str, str]:
+    """What a choice is known by from one time to the next."""
     return choice.state, "" if choice.state else choice.name
 
 

@@ -2,9 +2,11 @@
 
 from collections.abc import Mapping
 from functools import lru_cache
+from itertools import islice
 
 from ...core.hierarchy import Hierarchy, Node
 from ...core.project import Project
+from ...core.remembered import Remembered
 from ...engine.snapshots import Snapshot
 from ..selection import BehaviorKey
 
@@ -39,6 +41,22 @@ def _by_type(same: _Same) -> Mapping[str, Mapping[str, Node]]:
     for node in same.forest.walk():
         found.setdefault(node.type, {})[node.id] = node
     return found
+
+
+class Pupils:
+    """Finds who is to be taught, once for each selection: ten thousand may be selected."""
+
+    def __init__(self) -> None:
+        self._found: Remembered[str, tuple[str, ...]] = Remembered()
+
+    def of(self, forest: Hierarchy, type_name: str, selected: tuple[str, ...]) -> tuple[str, ...]:
+        """The selected nodes of a type, or else the first there is."""
+
+        def found() -> tuple[str, ...]:
+            of_type = members(forest, type_name)
+            return tuple(node for node in selected if node in of_type) or tuple(islice(of_type, 1))
+
+        return self._found.of(type_name, (forest, selected), found)
 
 
 def arms_with(project: Project, type_name: str) -> tuple[str, ...]:

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ...core.automaton import Automaton, Content
 from ...core.edits import Recorded
-from ...core.remembered import Remembered
 from ...engine.commands import Others, Pick, RunArm, ShouldNotHaveLeft, Step, Teach, Test
 from ...engine.snapshots import Interrupted, LessonView, Mode, Picked, Snapshot, TakenBack
 from ..selection import BehaviorKey
@@ -20,7 +18,7 @@ from .arguments import Arguments
 from .asking import Asking
 from .choosing import Choosing
 from .keeping import Keeping, free_name
-from .pupils import arms_with, members, state_of
+from .pupils import Pupils, arms_with, members, state_of
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -61,9 +59,9 @@ class Teaching(QObject):
         self.picked = ""
         self.last: Picked | None = None
         self._arguments = Arguments()
-        self._chosen: Remembered[str, tuple[str, ...]] = Remembered()  # ten thousand may be selected
+        self._pupils = Pupils()
         self._turn = ""
-        self._then_teach = self._then_test = False
+        self._then_teach = self._then_test = False  # once what a lesson lacks is there: an arm, or a target
         self.asking = Asking(studio, self)
         self.choosing = Choosing(studio, self)
         self.keeping = Keeping(studio, self)
@@ -333,13 +331,7 @@ class Teaching(QObject):
         snapshot = self._studio.snapshot
         if snapshot is None:
             return ()
-        forest, selected = snapshot.place.hierarchy, self._studio.selection.nodes
-
-        def chosen() -> tuple[str, ...]:
-            of_type = members(forest, key.type)
-            return tuple(node for node in selected if node in of_type) or tuple(islice(of_type, 1))
-
-        return self._chosen.of(key.type, (forest, selected), chosen)
+        return self._pupils.of(snapshot.place.hierarchy, key.type, self._studio.selection.nodes)
 
     def _refuse_without_nodes(self, key: BehaviorKey) -> None:
         arms = arms_with(self._studio.document.project, key.type)
@@ -362,7 +354,8 @@ class Teaching(QObject):
 
     def _opened(self) -> None:
         self._arguments.forget()
-        self._turn, self._then_teach, self.picked, self.last = "", False, "", None
+        self._turn, self.picked, self.last = "", "", None
+        self._then_teach = self._then_test = False
         self.demonstration = ""
         self.choosing.cancel()
         self.changed.emit()

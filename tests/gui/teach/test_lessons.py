@@ -33,7 +33,6 @@ def test_what_was_taught_another_day_is_tested_without_teaching_it_again(hand: H
 
 
 def test_an_open_parameter_is_asked_for_before_a_test_too(hand: Hand) -> None:
-    hand.studio.teaching._arguments.forget()
     hand.show("Goto", "agent-3")
     hand.key(Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
     assert hand.studio.teaching.choosing.wanted == "X"
@@ -42,7 +41,6 @@ def test_an_open_parameter_is_asked_for_before_a_test_too(hand: Hand) -> None:
 
 
 def test_what_a_parameter_means_can_be_changed_in_the_middle_of_a_lesson(hand: Hand) -> None:
-    hand.studio.teaching._arguments.forget()
     hand.show("Goto", "agent-3")
     hand.key(Qt.Key.Key_T)
     hand.studio.teaching.set_argument("X", "deposit")
