@@ -1,12 +1,23 @@
 """Everything that can be typed. Only words are here: the work is imported when a verb is obeyed."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from .. import __version__
+from .arguments import (
+    Behaviors,
+    Dark,
+    Jobs,
+    Json,
+    Picture,
+    ProjectFolder,
+    Seed,
+    Trust,
+    at_least,
+    examples,
+)
 from .console import PROGRAM, show
 
 #: The verb that is meant where none is given; it stays out of the help.
@@ -17,22 +28,6 @@ verbs = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
     pretty_exceptions_enable=False,
 )
-
-
-def examples(*lines: str) -> str:
-    """What stands below the help of a verb."""
-    return "\n".join(("Examples:\n", *lines))
-
-
-def at_least(least: int) -> Callable[[int], int]:
-    """A check of a whole number that says what is allowed and what was found."""
-
-    def checked(value: int) -> int:
-        if value < least:
-            raise typer.BadParameter(f"it must be {least} or more, but it is {value}")
-        return value
-
-    return checked
 
 
 def _version(wanted: bool) -> None:
@@ -47,34 +42,6 @@ def _scenarios(wanted: bool) -> None:
 
         show_scenarios()
         raise typer.Exit
-
-
-ProjectFolder = Annotated[Path, typer.Argument(metavar="PROJECT", help="The project's folder.")]
-Behaviors = Annotated[
-    list[str] | None,
-    typer.Argument(
-        metavar="BEHAVIOR", help="Names, such as Goto or agent/Goto; all behaviors if there are none."
-    ),
-]
-Json = Annotated[
-    bool, typer.Option("--json", help="Print one JSON document on stdout, and nothing else there.")
-]
-Trust = Annotated[bool, typer.Option("--trust", help="Run the Python code that the project carries.")]
-Picture = Annotated[
-    Path | None, typer.Option(metavar="FILE", help="Draw the result: .png, .svg or .pdf.", dir_okay=False)
-]
-Dark = Annotated[bool, typer.Option("--dark", help="Draw it on a dark ground.")]
-Seed = Annotated[
-    int, typer.Option(callback=at_least(0), help="Settles chance; further runs take the seeds after it.")
-]
-Jobs = Annotated[
-    int | None,
-    typer.Option(
-        callback=lambda v: v if v is None else at_least(1)(v),
-        help="Runs at a time.",
-        show_default="one a core",
-    ),
-]
 
 
 @verbs.callback(
@@ -305,7 +272,7 @@ def experiment(
     runs: Annotated[
         int | None,
         typer.Option(
-            callback=lambda v: v if v is None else at_least(1)(v),
+            callback=at_least(1),
             help="How many runs an arm.",
             show_default="the experiment's",
         ),
@@ -313,7 +280,7 @@ def experiment(
     ticks: Annotated[
         int | None,
         typer.Option(
-            callback=lambda v: v if v is None else at_least(1)(v),
+            callback=at_least(1),
             help="How long a run takes.",
             show_default="the experiment's",
         ),
