@@ -13,6 +13,7 @@ from ..core.project import Arm, Project, Value
 from ..engine.commands import RedoMove, UseArm
 from ..engine.scenarios import open_scenario
 from ..engine.snapshots import Mode, Refused, Snapshot
+from ..sim.physics import KINEMATIC
 from ..sim.scenario import Scenario
 from .actions import Actions
 from .behavior_colors import BehaviorColors, Places
@@ -208,7 +209,7 @@ class Studio(QObject):
     @property
     def physics(self) -> str:
         """What moves things in the world that is shown."""
-        return str(self._settings.get("physics", "kinematic"))
+        return str(self._settings.get("physics", KINEMATIC))
 
     @property
     def departures(self) -> Mapping[str, Value]:

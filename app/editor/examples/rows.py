@@ -70,7 +70,7 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "Ctrl+M",
             "Show on the canvas when the selected example was recorded",
             "history",
-            lambda _: panel.chosen != (),
+            chosen,
         ),
         ActionRow(
             "examples.conflicts",

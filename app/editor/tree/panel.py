@@ -23,6 +23,7 @@ from ...core.automaton import Cut, Refit
 from ...core.conditions import AtMost, InArc
 from ...core.cuts import with_cuts
 from ...core.phrasing import number
+from ...core.remembered import Remembered
 from ...core.tree import Forest, Tree
 from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
@@ -42,13 +43,14 @@ from .tools import Tools
 from .view import TreeView
 
 if TYPE_CHECKING:
+    from ...core.examples import Example
+    from ...core.features import FeatureUse
     from ..studio import Studio
 
 #: Milliseconds between two looks at what the selected node sees.
 LIVE = 33
 #: Pixels that the tree keeps whatever is open below it.
 LOWEST = 104
-
 #: Of the states that have learned something, so many are named.
 MOST_NAMED = 4
 
@@ -75,7 +77,7 @@ class TreePanel(QWidget):
         self.subject: Subject | None = None
         self._shown: tuple[object, ...] = ()
         self._place: tuple[object, ...] = ()
-        self._reaching: tuple[tuple[object, ...], Reaching] | None = None
+        self._reaching: Remembered[str, Reaching] = Remembered()
         self.scene = TreeScene(studio.theme)
         self.view = TreeView(self.scene, studio.theme)
         self.view.setMinimumHeight(LOWEST)
@@ -110,12 +112,11 @@ class TreePanel(QWidget):
         top.addWidget(QLabel("from"))
         top.addWidget(self._states, 1)
         top.addWidget(self.which)
-        for action in ("tree.fit",):
-            button = QToolButton()
-            button.setProperty("flat", "true")
-            button.setDefaultAction(self.studio.actions[action])
-            button.setAccessibleName(self.studio.actions.rows[action].text)
-            top.addWidget(button)
+        fit = QToolButton()
+        fit.setProperty("flat", "true")
+        fit.setDefaultAction(self.studio.actions["tree.fit"])
+        fit.setAccessibleName(self.studio.actions.rows["tree.fit"].text)
+        top.addWidget(fit)
         self._message = QLabel()
         self._message.setProperty("role", "empty")
         self._message.setWordWrap(True)
@@ -217,14 +218,14 @@ class TreePanel(QWidget):
             state_colors(automaton, key.type, self.studio.colors, self.studio.theme),
         )
 
-    def _examples(self, features: tuple, examples: tuple, state: str) -> Reaching:
-        """The examples as arrays, made once."""
-        made_of = features, examples, state
-        if self._reaching is None or not all(
-            _same(a, b) for a, b in zip(made_of, self._reaching[0], strict=True)
-        ):
-            self._reaching = made_of, Reaching(examples, state, [use.id for use in features])
-        return self._reaching[1]
+    def _examples(
+        self, features: tuple[FeatureUse, ...], examples: tuple[Example, ...], state: str
+    ) -> Reaching:
+        """The examples as arrays, made once for the state that is shown."""
+        self._reaching.keep({state})
+        return self._reaching.of(
+            state, (features, examples), lambda: Reaching(examples, state, [use.id for use in features])
+        )
 
     def _show(self, subject: Subject | None, *, other: bool) -> None:
         self.subject = subject

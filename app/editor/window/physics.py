@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...core.amounts import number
+from ...sim.physics import KINEMATIC, RIGID
 from ..actions import ActionRow
 
 if TYPE_CHECKING:
@@ -13,8 +14,6 @@ if TYPE_CHECKING:
     from ...core.project import Value
     from ...sim.bodies import Bodies
     from ..studio import Studio
-
-KINEMATIC, RIGID = "kinematic", "rigid"
 
 
 def physics_words(physics: str, bodies: Bodies | None, parameters: Mapping[str, Value]) -> str:

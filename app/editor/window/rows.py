@@ -12,7 +12,7 @@ from ..actions import ActionRow, when_open
 from ..theme import ThemeMode
 
 if TYPE_CHECKING:
-    from ...engine.snapshots import Place
+    from ...engine.place import Place
     from ..studio import Studio
 
 #: What the speed slider stands for, from left to right; None is as fast as it can.
