@@ -28,7 +28,7 @@ from .behaviors import (
     set_settings,
 )
 from .calls import Caller, callers, users
-from .carrying import carry_states
+from .carrying import carry_states, left_behind
 from .copying import Where, copy_states
 from .cuts import move_cut, remove_cut
 from .demonstrations import (
@@ -123,6 +123,7 @@ __all__ = [
     "enable_examples",
     "forget_layout",
     "group_nodes",
+    "left_behind",
     "move_arm",
     "move_cut",
     "move_demonstration",

@@ -11,7 +11,7 @@ from ..naming import fresh_id
 from ..project import Project
 from ..vocabulary import Vocabulary
 from .bindings import bindings_of
-from .copying import Where, copied_states
+from .copying import Where, copied_states, tests, with_rules_of_trees
 from .place import find_automaton, find_type, listed, with_automaton, with_examples, with_layout
 from .states import refuse_states
 
@@ -23,7 +23,8 @@ def carry_states(
 
     What a state holds is known there by its name: as an automaton of that type, or as one of its basic behaviors. An
     automaton that the type lacks comes along with its examples and all that it holds, where the type has the basic
-    behaviors, features and targets that it is made from.
+    behaviors, features and targets that it is made from. Transitions that test what the type cannot see do not come along
+    (`left_behind` says which that are).
 
     Raises:
         EditError: The other type cannot do or see something; the message says what.
@@ -36,7 +37,33 @@ def carry_states(
             carrier = _Carrier(project, scenario, source[0], into[0])
             contents[state.id] = carrier.held(state.content)
             project = carrier.project
-    return copied_states(project, source, state_ids, into, contents)
+    unseen = [use.id for use in _unseen(project, scenario, original, into)]
+    return copied_states(project, source, state_ids, into, contents, unseen)
+
+
+def left_behind(
+    project: Project, scenario: Vocabulary, source: Where, state_ids: Sequence[str], into: Where
+) -> tuple[str, ...]:
+    """What the transitions test, in the user's words, that do not come along with states since *into* cannot see it."""
+    original = with_rules_of_trees(project, source, state_ids)
+    copied = [rule for rule in original.rules if rule.source in state_ids]
+    unseen = _unseen(project, scenario, original, into)
+    return tuple(use.shown for use in unseen if any(tests(rule, (use.id,)) for rule in copied))
+
+
+def _unseen(project: Project, scenario: Vocabulary, automaton: Automaton, into: Where) -> list[FeatureUse]:
+    vocabulary = project.types_with(scenario).vocabulary(into[0])
+    return [use for use in automaton.features if _why_unseen(use, vocabulary)]
+
+
+def _why_unseen(use: FeatureUse, vocabulary: Vocabulary) -> str:
+    """Why a type with this vocabulary cannot see a feature; empty if it can."""
+    match use.source:
+        case Sense(name) if name not in vocabulary.features:
+            return f"it has no feature {name!r}"
+        case Statistic() if vocabulary.level == 0:
+            return f"it has no subsidiaries for {use.shown!r}"
+    return ""
 
 
 class _Carrier:
@@ -103,20 +130,12 @@ class _Carrier:
         """What the other type cannot see or mean of an automaton."""
         vocabulary = self._vocabulary
         for use in automaton.features:
-            if problem := self._unseen(use, vocabulary):
+            if problem := _why_unseen(use, vocabulary):
                 yield problem
         bound = [bindings_of(state.content) for state in automaton.states]
         bound += [bindings_of(use.source) for use in automaton.features]
         targets = {b.target for bindings in bound for b in bindings.values() if isinstance(b, Ground)}
         yield from (f"it knows no target {name!r}" for name in sorted(targets - vocabulary.targets.keys()))
-
-    def _unseen(self, use: FeatureUse, vocabulary: Vocabulary) -> str:
-        match use.source:
-            case Sense(name) if name not in vocabulary.features:
-                return f"it has no feature {name!r}"
-            case Statistic() if vocabulary.level == 0:
-                return f"it has no subsidiaries for {use.shown!r}"
-        return ""
 
     @property
     def _library(self) -> Library:

@@ -1,6 +1,6 @@
 """Copying states with their transitions, within an automaton or into another."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 
 from ..automaton import START, Automaton, Content, Rule
@@ -36,12 +36,20 @@ def copy_states(
 
 
 def copied_states(
-    project: Project, source: Where, state_ids: Sequence[str], into: Where, contents: Mapping[str, Content]
+    project: Project,
+    source: Where,
+    state_ids: Sequence[str],
+    into: Where,
+    contents: Mapping[str, Content],
+    unseen: Container[str] = (),
 ) -> tuple[Project, dict[str, str]]:
-    """The same, where some of the copies hold something else than their originals: *contents*, by the originals' ids."""
+    """The same, where some of the copies hold something else than their originals: *contents*, by the originals' ids.
+
+    Rules that test one of the features *unseen* do not come along.
+    """
     refuse_states(find_automaton(project, *source), state_ids)
     find_automaton(project, *into)
-    original = _told(project, source, state_ids)
+    original = with_rules_of_trees(project, source, state_ids)
     copies: dict[str, str] = {}
     for state in original.states:
         if state.id in state_ids and state.id != START:
@@ -53,14 +61,19 @@ def copied_states(
     rules = [
         replace(rule, source=sources[rule.source], target=targets[rule.target])
         for rule in original.rules
-        if rule.source in sources and rule.target in targets
+        if rule.source in sources and rule.target in targets and not tests(rule, unseen)
     ]
     if source == into:  # rules of Start that lead to states that were not copied are there already
         rules = [rule for rule in rules if rule.source != START or rule.target in copies.values()]
     return _with_rules(project, original, rules, into), copies
 
 
-def _told(project: Project, where: Where, state_ids: Sequence[str]) -> Automaton:
+def tests(rule: Rule, features: Container[str]) -> bool:
+    """Whether a rule tests one of these features."""
+    return any(condition.test.feature in features for condition in rule.guard)
+
+
+def with_rules_of_trees(project: Project, where: Where, state_ids: Sequence[str]) -> Automaton:
     """An automaton with rules for what the trees of some states learned; none that it has already."""
     before = find_automaton(project, *where)
     for state_id in state_ids:

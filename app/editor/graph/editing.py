@@ -15,6 +15,7 @@ from ...core.edits import (
     author_learned,
     carry_states,
     describe,
+    left_behind,
     move_states,
     remove_prune,
     remove_rule,
@@ -240,15 +241,26 @@ class GraphEditing:
             self._studio.warn("Start cannot be copied; there is one in every automaton")
             return []
         many = "a state" if len(ids) == 1 else f"{len(ids)} states"
-        before = self._studio.document.project.library(where[0]).automata
+        before = self._studio.document.project
         made = self._push(f"Copy {many} into {level.automaton.name}", step)
-        after = self._studio.document.project.library(where[0]).automata
-        learned = self._studio.document.project.library(source[0]).get(source[1]).learned
-        if made and any(state in learned for state in ids):
-            self._studio.say(LEARNED_COPIED)
-        if came := [automaton.name for key, automaton in after.items() if key not in before]:
-            self._studio.say(f"{', '.join(came)} came along to {where[0]}, since the states hold it")
+        if made:
+            self._tell_of_copies(before, source, ids, where)
         return [(*level.path, new) for new in made.values()] if made else []
+
+    def _tell_of_copies(
+        self, before: Project, source: tuple[str, str], ids: Sequence[str], where: tuple[str, str]
+    ) -> None:
+        """Say what came along with copies, and what did not."""
+        document, said, into = self._studio.document, [], where[0]
+        if any(state in before.library(source[0]).get(source[1]).learned for state in ids):
+            said.append(LEARNED_COPIED)
+        known, now = before.library(into).automata, document.project.library(into).automata
+        if came := [automaton.name for key, automaton in now.items() if key not in known]:
+            said.append(f"{', '.join(came)} came along to {into}, since the states hold it")
+        if left := left_behind(before, document.scenario.vocabulary, source, ids, where):
+            said.append(f"transitions that look at {' or '.join(left)} did not: {into} cannot see that")
+        if said:
+            self._studio.say("; ".join(said))
 
 
 def _beside(level: Drawn, made: Mapping[str, str]) -> dict[str, Position]:

@@ -373,6 +373,24 @@ def test_what_copied_states_learned_comes_along_as_rules(author: Author, studio:
     assert shown["return-with-box", "wander"] == "done"
 
 
+def test_states_of_an_automaton_that_is_gone_are_not_pasted_which_is_said(
+    author: Author, studio: Studio, blank: BehaviorKey
+) -> None:
+    gone = studio.document.do(add_automaton, "agent", "Gone")
+    studio.document.do(add_state, "agent", gone, Basic("Forward"))
+    author.show(BehaviorKey("agent", gone))
+    author.click(author.named("Forward"))
+    author.key(Qt.Key.Key_C, CTRL)
+    studio.undo()
+    studio.undo()
+    author.show(blank)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert gone in said.args[0].text
+    assert len(automaton(author).states) == 1
+
+
 def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
     author: Author, blank: BehaviorKey, studio: Studio
 ) -> None:
@@ -393,6 +411,24 @@ def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
     assert len(studio.document.project.examples_of("authored-agent", "stroll")) == 10
     studio.undo()
     assert studio.document.automaton("authored-agent", "stroll") is None
+
+
+def test_what_the_other_node_type_cannot_see_stays_behind_and_it_is_said(
+    author: Author, studio: Studio
+) -> None:
+    group = BehaviorKey("group", studio.document.do(add_automaton, "group", "Lead"))
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(group)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    words = "transitions that look at ICanSeeABox did not: group cannot see that"
+    assert said.args[0].text == f"{LEARNED_COPIED}; {words}"
+    found = studio.document.automaton("group", group.id)
+    assert found is not None
+    assert [use.shown for use in found.features] == ["done"]
 
 
 def test_what_rules_say_already_is_not_offered_to_become_rules_again(author: Author, studio: Studio) -> None:

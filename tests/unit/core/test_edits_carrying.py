@@ -70,3 +70,19 @@ def test_why_something_cannot_come_along_is_said_and_nothing_changes() -> None:
     other, _ = edits.add_automaton(before, ROBOT, "goto", ["whither"])
     with pytest.raises(EditError, match="goto of 'robot' has no parameter 'target', unlike that of 'agent'"):
         carried(other, (AGENT, "forage"), ["approach"], (ROBOT, hunt))
+
+
+def test_transitions_that_test_what_the_other_type_cannot_see_stay_behind_and_it_is_said_what_that_is() -> (
+    None
+):
+    before, made = edits.add_automaton(project(), GROUP, "hand")
+    held, where, into = ["wander", "approach", "fetch"], (AGENT, "forage"), (GROUP, made)
+    changed = carried(before, where, held, into)
+    copied = changed.library(GROUP).get(made)
+    assert [use.shown for use in copied.features] == ["done"]
+    assert [(rule.source, rule.target) for rule in copied.rules] == [
+        ("approach", "fetch"),
+        ("fetch", "wander"),
+    ]
+    assert edits.left_behind(before, vocabulary(), where, held, into) == ("SeesABox", "Ground")
+    assert edits.left_behind(before, vocabulary(), where, held, where) == ()
