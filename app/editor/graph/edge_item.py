@@ -122,7 +122,8 @@ class EdgeItem(QGraphicsItem):
             return mixed(palette.dim, palette.panel, 0.45)
         return QColor(palette.text) if self.edge.rules else QColor(palette.dim)
 
-    def _pen(self) -> QPen:
+    def pen(self) -> QPen:
+        """Wider the more examples speak for it; dashed for rules, dotted where it is pruned."""
         pen = QPen(self._color(), min(THICKEST, THINNEST + 0.75 * log2(1.0 + self.edge.support)))
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         if self.edge.is_pruned:
@@ -135,7 +136,7 @@ class EdgeItem(QGraphicsItem):
 
     def paint(self, painter: QPainter, _option: object, _widget: object = None) -> None:
         """Draw it."""
-        pen = self._pen()
+        pen = self.pen()
         painter.setPen(pen)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPath(self._path)

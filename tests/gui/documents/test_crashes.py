@@ -116,3 +116,15 @@ def test_of_a_damaged_project_the_autosave_can_be_opened_instead(
     answer(desk, qtbot, "Open the autosave")
     qtbot.waitUntil(lambda: desk.studio.document.project.note == "kept", timeout=PATIENCE)
     assert desk.isWindowModified()
+
+
+def test_unsaved_work_is_autosaved_by_itself_every_so_many_seconds(
+    desk: MainWindow, qtbot: QtBot, folder: Path, settings: Settings
+) -> None:
+    settings.autosave_seconds = 1
+    opened(desk, qtbot, folder)
+    desk.studio.document.do(note_project, "kept by itself")
+    qtbot.waitUntil(lambda: desk.studio.document.autosaved is not None, timeout=PATIENCE)
+    assert (folder / NAME / "autosave").exists()
+    assert load(folder).note == ""
+    assert desk.isWindowModified()

@@ -1,13 +1,19 @@
 """Opening projects: damaged ones, ones with code, shipped and recent ones."""
 
+import json
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import add_automaton
+from app.core.automaton import Nested
+from app.core.edits import add_automaton, add_state
+from app.core.project import Project
+from app.core.storage import save
 from app.editor.documents.private import NAME
+from app.editor.problems.model import FIX, WHAT
+from app.editor.problems.panel import ProblemsPanel
 from app.editor.window.main_window import MainWindow
 from app.engine.shipped import shipped_projects
 from tests.gui.conftest import FORAGING, PATIENCE
@@ -34,6 +40,33 @@ def test_a_damaged_project_is_told_with_file_place_and_what_is_allowed(
     answer(desk, qtbot, "Close")
     assert not desk.studio.is_open
     assert not (folder / NAME).exists()
+
+
+def test_behaviors_that_hold_each_other_are_told_and_parted_by_one_click(
+    desk: MainWindow, qtbot: QtBot, folder: Path, small: Project
+) -> None:
+    project, first = add_automaton(small, "agent", "Wait")
+    project, second = add_automaton(project, "agent", "Look")
+    project, _ = add_state(project, "agent", first, Nested(second))
+    save(project, folder)
+    file = folder / "libraries" / "agent" / f"{second}.json"
+    waits = json.loads((folder / "libraries" / "agent" / f"{first}.json").read_text(encoding="utf-8"))
+    looks = json.loads(file.read_text(encoding="utf-8"))
+    text = json.dumps({**looks, "states": waits["states"]}).replace(f'"{second}"', f'"{first}"')
+    file.write_text(text.replace(f'"id": "{first}"', f'"id": "{second}"', 1), encoding="utf-8")
+    opened(desk, qtbot, folder)
+    problems = desk.docks["problems"].widget()
+    assert isinstance(problems, ProblemsPanel)
+    desk.show_panel("problems")
+    qtbot.waitUntil(lambda: any("recursion" in f.problem.message for f in problems.model.findings))
+    row = next(k for k, f in enumerate(problems.model.findings) if "recursion" in f.problem.message)
+    said = str(problems.model.index(row, WHAT).data())
+    assert said == "Recursion is not permitted, but Look holds Wait holds Look"
+    qtbot.keyClick(desk, Qt.Key.Key_Space)  # what does not run does no harm
+    idle(desk, qtbot)
+    place = problems.list.visualRect(problems.model.index(row, FIX)).center()
+    qtbot.mouseClick(problems.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    qtbot.waitUntil(lambda: not any("recursion" in f.problem.message for f in problems.model.findings))
 
 
 def test_a_behavior_has_the_same_color_when_its_project_is_opened_again(

@@ -1,0 +1,37 @@
+"""How transitions are drawn: wider the more examples speak for them, dashed where a rule says so, dotted where pruned."""
+
+from PySide6.QtCore import Qt
+
+from app.editor.graph.panel import GraphPanel
+from app.editor.selection import BehaviorKey
+from tests.gui.graph.author import Author
+
+FORAGE, AUTHORED = BehaviorKey("agent", "forage"), BehaviorKey("authored-agent", "forage")
+
+
+def width(panel: GraphPanel, source: str, target: str) -> float:
+    return panel.scene.edges[(), source, target].pen().widthF()
+
+
+def dashes(panel: GraphPanel, source: str, target: str) -> list[float]:
+    pen = panel.scene.edges[(), source, target].pen()
+    return [] if pen.style() is Qt.PenStyle.SolidLine else list(pen.dashPattern())
+
+
+def test_what_more_examples_speak_for_is_wider(panel: GraphPanel) -> None:
+    always, often = ("start", "wander"), ("wander", "wander")
+    supports = [panel.scene.edges[(), *edge].edge.support for edge in (always, often)]
+    assert supports == [1, 3]
+    assert width(panel, *always) < width(panel, *often)
+    assert dashes(panel, *often) == []
+
+
+def test_rules_and_what_was_pruned_are_drawn_otherwise(panel: GraphPanel, author: Author) -> None:
+    author.click_edge("wander", "return-with-box")
+    author.key(Qt.Key.Key_Delete)
+    pruned = dashes(panel, "wander", "return-with-box")
+    assert pruned
+    author.show(AUTHORED)
+    ruled = next(item for item in panel.scene.edges.values() if item.edge.rules)
+    assert ruled.pen().style() is not Qt.PenStyle.SolidLine
+    assert list(ruled.pen().dashPattern()) != pruned
