@@ -63,6 +63,28 @@ def test_while_an_experiment_runs_it_says_how_long_it_will_take(shown: Shown, qt
     qtbot.waitUntil(lambda: told(window, "Cancelled;"), timeout=3 * PATIENCE)
 
 
+def test_a_run_is_opened_at_the_tick_that_is_typed(shown: Shown, qtbot: QtBot) -> None:
+    main, window = shown
+    small(window, runs=1)
+    qtbot.mouseClick(window.controls.run, LEFT)
+    page = window.pages.runs
+    qtbot.waitUntil(lambda: page.model.rowCount() == 4, timeout=3 * PATIENCE)
+    window.pages.setCurrentWidget(page)
+    page.tick.selectAll()
+    qtbot.keyClicks(page.tick, "77")
+    at = page.table.visualRect(page.model.index(1, 0)).center()
+    qtbot.mouseClick(page.table.viewport(), LEFT, pos=at)
+    row = page.chosen
+    assert row is not None
+    qtbot.mouseDClick(page.table.viewport(), LEFT, pos=at)
+
+    def there() -> tuple[int, int]:
+        snapshot = main.studio.snapshot
+        return (-1, -1) if snapshot is None else (snapshot.seed, snapshot.tick)
+
+    qtbot.waitUntil(lambda: there() == (row.seed, 77))
+
+
 def test_a_run_of_another_forest_opens_in_a_window_of_its_own(
     shown: Shown, qapp: QApplication, qtbot: QtBot, folder: Path
 ) -> None:

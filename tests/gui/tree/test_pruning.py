@@ -87,6 +87,30 @@ def test_one_label_of_a_subtree_is_pruned_by_the_context_menu(
     assert prune.forbidden == {"rotate-left"}
 
 
+def test_a_subtree_is_pruned_and_taken_back_from_the_menu(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    show(panel, studio, qtbot, GOTO, "forward")
+    before = studio.document.project
+    inner = next(
+        key for key, node in panel.scene.nodes.items() if isinstance(node.knot.node, Branch) and key > 1
+    )
+    click(panel, qtbot, inner)
+    qtbot.waitUntil(studio.actions["tree.prune"].isEnabled)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.actions["tree.prune"].trigger()
+    (prune,) = automaton(studio, GOTO).prunes
+    assert prune.guard
+    assert "forward" not in prune.forbidden
+    qtbot.waitUntil(studio.actions["tree.take_back"].isEnabled)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.actions["tree.take_back"].trigger()
+    assert automaton(studio, GOTO).prunes == ()
+    studio.undo()
+    studio.undo()
+    assert studio.document.project is before
+
+
 def test_prunes_are_listed_and_taken_back_there(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     click(panel, qtbot, 3)
     with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
