@@ -66,3 +66,18 @@ def test_examples_that_contradict_each_other_are_shown_from_the_menu(
     window.studio.actions["examples.conflicts"].trigger()
     assert panel.filters.verdict.currentData() == Verdict.CONFLICT
     qtbot.waitUntil(lambda: panel.model.counts[0] == 2)
+
+
+@pytest.mark.parametrize("name", ["source", "label", "node", "demonstration"])
+def test_every_filter_is_set_by_keys_and_leaves_what_it_says(
+    panel: ExamplesPanel, qtbot: QtBot, name: str
+) -> None:
+    everything = [panel.model.example(row) for row in range(panel.model.rowCount())]
+    box = getattr(panel.filters, name)
+    box.setFocus()
+    qtbot.keyClick(box, Qt.Key.Key_Down)
+    wanted = box.currentData()
+    passing = [example for example in everything if getattr(example, name) == wanted]
+    assert passing
+    shown = [panel.model.example(row) for row in range(panel.model.rowCount())]
+    assert {example.id for example in shown} == {example.id for example in passing}

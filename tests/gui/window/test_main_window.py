@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from app import __version__
 from app.core.automaton import START
-from app.core.edits import add_automaton, note_project
+from app.core.edits import add_automaton, disable_examples, note_project
 from app.core.project import Project
 from app.editor.actions import MENUS
 from app.editor.documents.asking import Question
@@ -239,6 +239,21 @@ def test_opening_another_project_leaves_window_and_panels_where_they_are(
 def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: QtBot) -> None:
     measures = window.statusBar().findChildren(QLabel)
     qtbot.waitUntil(lambda: any("boxes 0" in label.text() for label in measures), timeout=PATIENCE)
+
+
+def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_saved(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    bar = window.statusBar()
+    assert isinstance(bar, StatusBar)
+    qtbot.waitUntil(lambda: (bar.tick.text(), bar.rate.text()) == ("tick 0", "paused"), timeout=PATIENCE)
+    assert bar.saved.text() == "saved"
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: bar.rate.text().endswith(" ticks/s"), timeout=PATIENCE)
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    window.studio.document.do(disable_examples, "agent", "wander", ["1"])
+    qtbot.waitUntil(lambda: bar.learner.text().startswith("learned "), timeout=PATIENCE)
+    assert bar.saved.text() == "unsaved changes"
 
 
 @pytest.mark.parametrize("mode", ["before a lesson", "in a lesson"])
