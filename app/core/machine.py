@@ -315,9 +315,8 @@ class Machine:
             case FlagUp(flag):
                 return float(run.child is not None and flag in run.child.flags)
             case TicksInState():
-                return float(
-                    self.now - run.entered
-                )  # the world's ticks, even those in which the node stood still
+                # The world's ticks, even those in which the node stood still.
+                return float(self.now - run.entered)
             case Statistic() as statistic:
                 return self._statistic(actor, run, use, statistic, senses)
             case Sense(name, bindings):

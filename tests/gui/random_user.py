@@ -83,9 +83,7 @@ class RandomUser(Hand):
         for view in self.window.findChildren(QAbstractItemView):
             if view.state() is EDITING:
                 self.wait(lambda: self._has_left(view))  # noqa: B023 - called at once
-        if (
-            QApplication.activeWindow() is None
-        ):  # what closed was: keys go to the window, as a window manager has it
+        if QApplication.activeWindow() is None:  # what closed was: a window manager gives the keys back
             self.window.activateWindow()
             self.wait(self.window.isActiveWindow)
         self.window.setFocus()

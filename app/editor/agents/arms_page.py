@@ -207,9 +207,8 @@ class ArmsPage(QWidget):
     def _use(self) -> None:
         arm = self._arm
         if arm is not None:
-            if isinstance(
-                arm.hierarchy, LevelTable
-            ):  # what was made by hand is replaced only by its own button
+            # What was made by hand is replaced only by its own button.
+            if isinstance(arm.hierarchy, LevelTable):
                 self.table.make()
             self._studio.use_arm(arm.name)
 

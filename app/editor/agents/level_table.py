@@ -145,10 +145,9 @@ class LevelTableForm(QWidget):
     def _changed(self, *_: object) -> None:
         trouble = self._problem()
         self.trouble.say(trouble)
-        self.use.setEnabled(not trouble and self.table != self._forest)
-        draft = (
-            ", not made yet" if self.table != self._forest and isinstance(self._forest, LevelTable) else ""
-        )
+        is_other = self.table != self._forest
+        self.use.setEnabled(not trouble and is_other)
+        draft = ", not made yet" if is_other and isinstance(self._forest, LevelTable) else ""
         self.words.setText(f"{self._begins}: {counted(self._agents, 'agent')}{draft}")
         self.below.setEnabled(len(self.sizes) > 1)
         self.above.setEnabled(bool(self.types))

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from ...core.hierarchy import Hierarchy, Node, problems
 from ...core.project import Arm, Value
+from ...core.remembered import Remembered
 from ...engine.commands import Reset
 from ...engine.snapshots import Doing
 from ..forms.nothing import NothingFound
@@ -59,11 +60,7 @@ class AgentsPanel(QWidget):
         super().__init__()
         self._studio = studio
         self._shown: tuple[object, ...] = ()
-        self._compared = (
-            0,
-            0,
-            False,
-        )  # the ids of two forests, both alive while they count, and whether they differ
+        self._differs: Remembered[str, bool] = Remembered()  # by the arm that is shown
         self._doing: Doing | None = None
         self._selecting = False
         self._parameters_before = self._parameters(studio.arm)
@@ -78,9 +75,8 @@ class AgentsPanel(QWidget):
         self.reset = QPushButton("Reset")
         self._live = Later(self, self._show_doing, LIVE)
         self._soon = Soon(self, self.follow)
-        self._reselect = Soon(
-            self, self._show_selected
-        )  # apart from following: laying out many rows takes a while
+        # Apart from following, as laying out many rows takes a while.
+        self._reselect = Soon(self, self._show_selected)
         studio.actions.add(agent_rows(self))
         self._lay_out()
         NothingFound(self.tree, NOTHING_FOUND, lambda: bool(self.filter.text()))
@@ -191,12 +187,10 @@ class AgentsPanel(QWidget):
             self.held.hide()
             return
         before = snapshot.place.hierarchy
-        if self._compared[:2] != (
-            id(arm.hierarchy),
-            id(before),
-        ):  # ten thousand nodes take a while to compare
-            self._compared = id(arm.hierarchy), id(before), forest_of(arm)[0] != before
-        changed = self._compared[2]
+        self._differs.keep({arm.name})
+        changed = self._differs.of(  # ten thousand nodes take a while to compare
+            arm.name, (arm.hierarchy, before), lambda: forest_of(arm)[0] != before
+        )
         self.held.setVisible(changed or self._parameters(arm) != self._parameters_before)
 
     def _parameters(self, arm: Arm | None) -> Mapping[str, Value]:

@@ -45,9 +45,8 @@ def choose_file(
     dialog = QFileDialog(window, title, str(proposed.parent), kinds)
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
     dialog.setDefaultSuffix(_ending(kinds.split(";;", maxsplit=1)[0]))
-    dialog.setOption(
-        QFileDialog.Option.DontUseNativeDialog
-    )  # the system's own may not add what the name ends with
+    # The system's own may not add what the name ends with.
+    dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
     dialog.selectFile(proposed.name)
     dialog.filterSelected.connect(lambda kind: dialog.setDefaultSuffix(_ending(kind)))
     dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))

@@ -78,9 +78,8 @@ class Form:
         """Add an explanation below the controls so far."""
         label.setProperty("role", "caption")
         label.setWordWrap(True)
-        label.setSizePolicy(
-            QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred
-        )  # lines as long as the controls
+        # Its lines are as long as the controls.
+        label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._rows.addRow("", label)
 
     def complain(self, problem: str) -> None:

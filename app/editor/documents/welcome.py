@@ -69,9 +69,8 @@ class WelcomePage(QScrollArea):
         """Show what is there now; pictures come when they are drawn."""
         super().showEvent(event)
         self.fill()
-        QTimer.singleShot(
-            0, self, self._ask
-        )  # not for a page that gives way at once to a project that is being opened
+        # Not for a page that gives way at once to a project that is being opened.
+        QTimer.singleShot(0, self, self._ask)
 
     def hideEvent(self, event: object) -> None:
         """Wait for no more pictures; those that are missing are asked for again when the page is back."""

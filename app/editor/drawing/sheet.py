@@ -30,9 +30,8 @@ class Canvas:
     def content(self, ending: str, *, dark: bool = False) -> bytes:
         """The drawing as the content of a file with this ending: ".png", ".svg" or ".pdf"."""
         application = QGuiApplication.instance() or QGuiApplication(["understudy"])
-        size = QSizeF(
-            self._width, self._height()
-        )  # which may measure text, so not before there is an application
+        # The height may measure text, so it is not asked for before there is an application.
+        size = QSizeF(self._width, self._height())
         buffer = QBuffer()
         buffer.open(QIODevice.OpenModeFlag.WriteOnly)
         palette = DARK if dark else LIGHT

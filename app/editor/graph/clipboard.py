@@ -44,9 +44,8 @@ def _leave_words() -> None:
 
 def there() -> CopiedStates | None:
     """The states in the clipboard, if it holds any."""
-    data: QMimeData | None = (
-        QGuiApplication.clipboard().mimeData()
-    )  # there is none where nothing was ever copied
+    # There is none where nothing was ever copied.
+    data: QMimeData | None = QGuiApplication.clipboard().mimeData()
     if data is None or not data.hasFormat(STATES_MIME):
         return None
     try:

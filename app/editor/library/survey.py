@@ -262,9 +262,8 @@ def _used_by(project: Project) -> Mapping[RowKey, list[Use]]:
                 words = f"state {shown_state(automaton, state_id, library)} of {automaton.name}"
                 use = Use(words, RowKey(node_type.name, automaton.id), state_id)
                 found.setdefault(key, []).append(use)
-    directed = {
-        key.name for key in found if key.name
-    }  # most names are not, and asking who directs one takes long
+    # Most names are not directed, and asking who directs one takes long.
+    directed = {key.name for key in found if key.name}
     tops = {arm.top for arm in project.arms}
     for node_type in project.types:
         for automaton in project.library(node_type.name).automata.values():

@@ -91,10 +91,9 @@ class TargetRow(QWidget):
             now.setProperty("role", "caption")
             self._layout.addWidget(now)
             return
-        told = (
-            len(self._choosing.slots) == 1 and bound is None
-        )  # others stand beside each other, in few words
-        click = self._flat("or click it" * told, f"Choose what {slot} is by a click on it")
+        # Several stand beside each other, in few words.
+        told = "or click it" if len(self._choosing.slots) == 1 and bound is None else ""
+        click = self._flat(told, f"Choose what {slot} is by a click on it")
         click.setAccessibleName(f"Click what {slot} is")
         click.setIcon(icon("crosshairs-gps", self._studio.theme, "dim"))
         click.clicked.connect(lambda: self._choosing.ask_for(slot))

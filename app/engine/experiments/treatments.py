@@ -77,9 +77,7 @@ class Treatments:
             UnderstudyError: A setting names nothing, or its value is not allowed.
         """
         wanted = sorted_settings(cell.settings)
-        with (
-            self._lock
-        ):  # a flat automaton is watched, and a treatment made, by one thread while the others wait
+        with self._lock:  # one thread watches a flat automaton, or makes a treatment, while the others wait
             if cell.number not in self._ready:
                 self._ready[cell.number] = self._prepared(cell, wanted)
         ready = self._ready[cell.number]

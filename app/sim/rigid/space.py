@@ -171,9 +171,8 @@ class Exchange:
         bodies = sizes.agents + sizes.loads
         everyone = bodies + sizes.agents + 1  # with the ground
         self._out = np.zeros((everyone, WIDTH))
-        self._in = np.zeros(
-            (everyone + 1, WIDTH)
-        )  # room to spare: pymunk must not enlarge what is not its own
+        # With room to spare: pymunk must not enlarge what is not its own.
+        self._in = np.zeros((everyone + 1, WIDTH))
         self._writer, self._reader = batch.Buffer(), batch.Buffer()
         self._writer.set_float_buf(self._out)
         self._reader.set_float_buf(self._in)

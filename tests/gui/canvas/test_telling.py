@@ -49,9 +49,8 @@ def test_entries_of_the_legend_keep_their_places(pilot: Pilot) -> None:
     coloring = pilot.frame.coloring
     legend.tell(coloring, 2_000)
     before = list(legend.buttons)
-    other = replace(
-        coloring, entries=coloring.entries[::-1], counts=coloring.counts[::-1]
-    )  # of another program
+    # As another program has them.
+    other = replace(coloring, entries=coloring.entries[::-1], counts=coloring.counts[::-1])
     legend.tell(other, 2_000)
     assert list(legend.buttons) == before
 

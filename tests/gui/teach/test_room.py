@@ -92,9 +92,8 @@ def test_a_button_is_not_lit_once_its_menu_was_closed_elsewhere(hand: Hand) -> N
     assert isinstance(menu, QMenu)
     QCursor.setPos(hand.window.mapToGlobal(hand.window.rect().center()))
     menu.popup(button.mapToGlobal(QPoint(0, button.height())))
-    button.setAttribute(
-        Qt.WidgetAttribute.WA_UnderMouse
-    )  # on a screen, the menu has the mouse, and no Leave comes
+    # On a screen, the menu has the mouse, and no Leave comes.
+    button.setAttribute(Qt.WidgetAttribute.WA_UnderMouse)
     hand.qtbot.keyClick(menu, Qt.Key.Key_Escape)
     assert not menu.isVisible()
     assert not button.underMouse()

@@ -49,9 +49,8 @@ def test_the_beginning_is_as_early_as_the_run_is_known(window: MainWindow, qtbot
         qtbot.waitUntil(lambda: _tick(window) == until)
 
     pass_ticks(20)
-    studio.document.do(
-        add_state, "agent", "wander", Basic("GrabBox")
-    )  # from here on agents run something else
+    # From here on agents run something else.
+    studio.document.do(add_state, "agent", "wander", Basic("GrabBox"))
     pass_ticks(30)
     with qtbot.waitSignal(window.messages.shown) as shown:
         qtbot.keyClick(window, Qt.Key.Key_Home)

@@ -201,11 +201,8 @@ def test_what_was_moved_before_and_in_a_lesson_is_moved_again() -> None:
     driver.teach("agent-1", "Shuttle", demonstration="shuttle-1").pick("up").advance(4)
     driver.send(MoveEntity(0, 3.0, 0.0)).pick("down").advance(2).send(MoveEntity(0, 9.0, 0.0))
     moved = [(act.tick, act.entity, act.x, act.y) for act in kept(driver).picks if act.act == "move"]
-    assert moved == [
-        (0, 1, 7.0, 0.0),
-        (3, 0, 2.0, 0.0),
-        (7, 0, 3.0, 0.0),
-    ]  # what comes after the last pick is no part
+    # What comes after the last pick is no part.
+    assert moved == [(0, 1, 7.0, 0.0), (3, 0, 2.0, 0.0), (7, 0, 3.0, 0.0)]
     assert problems(driver) == []
     check(driver)
 
