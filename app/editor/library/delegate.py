@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 Index = QModelIndex | QPersistentModelIndex
 SWATCH, GAP, PAD = 10, 8, 7
-USED_BY, USES, CONFLICTS = "used by", "uses", "conflicts"
+USED_BY, USES, CONFLICTS, STALE = "used by", "uses", "conflicts", "stale"
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class Badge:
     Attributes:
         color: Name of the palette's color of its text.
         boxed: Whether a line goes around it.
-        part: What a click on it shows; empty where a click means the row.
+        part: What a click on it shows or mends; empty where a click means the row.
     """
 
     text: str
@@ -60,7 +60,7 @@ class Badge:
 def badges(row: Row, fit: Fit | None) -> Iterator[Badge]:
     """The badges beside the name, the most urgent first."""
     if fit is not None and fit.stale:
-        yield Badge("stale", "Changed since it was learned", "accent")
+        yield Badge("stale", "Changed since it was learned; click to learn it again", "accent", part=STALE)
     if fit is not None and fit.conflicts:
         tip = f"{fit.conflicts} examples contradict each other: equal features, another label; click to see them"
         yield Badge(f"{fit.conflicts} in conflict", tip, "accent", part=CONFLICTS)

@@ -14,7 +14,7 @@ from ...core.project import Project
 from ..forms.nothing import NothingFound
 from ..selection import BehaviorKey
 from ..soon import Soon
-from .delegate import CONFLICTS, USES, BehaviorDelegate
+from .delegate import CONFLICTS, STALE, USES, BehaviorDelegate
 from .deleting import delete_behavior
 from .filtering import LibraryFilter
 from .fits import Fits
@@ -123,6 +123,7 @@ class LibraryPanel(QWidget):
         self.tree.dragged.connect(self._show_selected)
         self.tree.menu_wanted.connect(self._show_menu)
         self.tree.activated.connect(self._activated)
+        self.tree.clicked.connect(self._fold_or_unfold)
         self.tree.selectionModel().currentChanged.connect(self._current_changed)
         self.delegate.linked.connect(self._show_links)
 
@@ -271,6 +272,10 @@ class LibraryPanel(QWidget):
             self._current_changed(self.tree.currentIndex())  # what the cursor is on is what is meant
             self._studio.actions[action].trigger()
 
+    def _fold_or_unfold(self, index: QModelIndex) -> None:
+        if self._row(index) is None:
+            self.tree.setExpanded(index, not self.tree.isExpanded(index))
+
     def _activated(self, index: QModelIndex) -> None:
         row = self._row(index)
         if row is not None and row.is_automaton:
@@ -301,6 +306,9 @@ class LibraryPanel(QWidget):
         return menu
 
     def _show_links(self, row: Row, part: str, spot: QPoint) -> None:
+        if part == STALE:
+            self._studio.actions["behavior.learn"].trigger()
+            return
         if part == CONFLICTS:
             self._studio.selection.select_behavior(BehaviorKey(row.key.type, row.key.id))
             self._studio.actions["examples.conflicts"].trigger()

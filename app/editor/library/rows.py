@@ -64,6 +64,16 @@ def library_rows(panel: LibraryPanel) -> tuple[ActionRow, ...]:
             enabled=has_behavior,
         ),
         ActionRow(
+            "behavior.learn",
+            "Learn what has changed",
+            "Behavior",
+            lambda studio: studio.relearning.learn(),
+            "library",
+            tip="Learn all behaviors that have changed since they were learned (a click on the badge stale)",
+            icon="school-outline",
+            enabled=when_open,
+        ),
+        ActionRow(
             "behavior.rename",
             "Rename",
             "Behavior",

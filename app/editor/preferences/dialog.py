@@ -94,7 +94,12 @@ class Preferences(QDialog):
         self.size_of_all.setAccessibleName("Size of text and controls")
         self.size_of_all.setToolTip("How large everything in the window is")
         form.addRow("Size", self.size_of_all)
-        form.addRow("", _note("Of text and controls; from the next start on."))
+        form.addRow(
+            "",
+            _note(
+                "Of text and controls; from the next start on. What the screen has no room for is not offered."
+            ),
+        )
         self.autosave.setRange(0, MOST_SECONDS)
         self.autosave.setSingleStep(5)
         self.autosave.setSuffix(" s")

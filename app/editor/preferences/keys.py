@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
@@ -26,6 +26,23 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 NAME, KEYS, MENU = range(3)
+
+
+class KeysEdit(QKeySequenceEdit):
+    """Takes all keys but Escape, which leaves it as everywhere.
+
+    Signals:
+        left: Escape was pressed.
+    """
+
+    left = Signal()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """See above."""
+        if event.key() == Qt.Key.Key_Escape and event.modifiers() == Qt.KeyboardModifier.NoModifier:
+            self.left.emit()
+        else:
+            super().keyPressEvent(event)
 
 
 class KeysPage(QWidget):
@@ -49,11 +66,12 @@ class KeysPage(QWidget):
         self.filter.setClearButtonEnabled(True)
         self.filter.textChanged.connect(self._filter)
         self.table = self._table()
-        self.edit = QKeySequenceEdit()
+        self.edit = KeysEdit()
         self.edit.setMaximumSequenceLength(1)
         self.edit.setAccessibleName("Shortcut")
         self.edit.setToolTip("Click here and press the keys that the action is to have")
         self.edit.editingFinished.connect(self._take)
+        self.edit.left.connect(self.table.setFocus)
         self.none = text_button("No keys", "Let the action have no shortcut", lambda: self._set(""))
         self.reset = text_button("Standard", "Give the action its own shortcut back", self._reset)
         self.reset_all = text_button(

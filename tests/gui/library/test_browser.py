@@ -288,8 +288,19 @@ def test_a_behavior_is_stale_until_it_is_learned_again(
         return fit is not None and fit.stale
 
     qtbot.waitUntil(stale, timeout=PATIENCE)
-    studio.relearning.learn()
+    index = panel.shown.mapFromSource(panel.model.find(GOTO))
+    panel.tree.scrollTo(index)
+    _, placed = layout(index.data(ROW), index.data(FIT), panel.tree.visualRect(index))
+    badge = next(each for each in placed if each.badge.text == "stale")
+    qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=badge.rect.center())
     qtbot.waitUntil(lambda: not stale(), timeout=PATIENCE)
+
+
+def test_a_click_on_the_name_of_a_group_folds_and_unfolds_it(panel: LibraryPanel, qtbot: QtBot) -> None:
+    for unfolded in (False, True):
+        there = panel.tree.visualRect(panel.shown.index(0, 0)).center()
+        qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=there)
+        assert panel.tree.isExpanded(panel.shown.index(0, 0)) is unfolded
 
 
 def test_only_the_row_that_changes_is_told(panel: LibraryPanel, studio: Studio, qtbot: QtBot) -> None:

@@ -100,6 +100,19 @@ def test_keys_that_another_action_has_are_refused_with_its_name(
     assert studio.actions["run.play"].shortcut() == QKeySequence("Space")
 
 
+def test_escape_is_no_shortcut_but_goes_back_to_the_actions(
+    preferences: Preferences, qtbot: QtBot, studio: Studio
+) -> None:
+    preferences.show_setting("keys")
+    preferences.keys.select("run.reset")
+    preferences.keys.edit.setFocus()
+    qtbot.keyClick(preferences.keys.edit, Qt.Key.Key_Escape)
+    assert preferences.isVisible()
+    assert preferences.focusWidget() is preferences.keys.table
+    assert preferences.keys.conflict.text() == ""
+    assert studio.actions["run.reset"].shortcut() == QKeySequence("Ctrl+R")
+
+
 def test_all_keys_are_put_back_at_once(preferences: Preferences, qtbot: QtBot, studio: Studio) -> None:
     press(preferences, qtbot, "run.reset", Qt.Key.Key_J)
     preferences.keys.select("run.play")
