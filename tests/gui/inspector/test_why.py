@@ -50,6 +50,14 @@ class Reader:
         self.studio.selection.select_nodes((node,))
         self.qtbot.waitUntil(lambda: name in self.text.splitlines()[0].lower() if self.text else False)
 
+    def pass_ticks(self, ticks: int) -> None:
+        """Let time pass, and wait until it has."""
+        bridge = self.studio.bridge
+        assert bridge.snapshot is not None
+        until = bridge.snapshot.tick + ticks
+        bridge.send(Step(ticks))
+        self.qtbot.waitUntil(lambda: bridge.snapshot is not None and bridge.snapshot.tick == until)
+
     def links(self) -> Iterator[tuple[str, QPoint]]:
         """What is underlined, and where that is."""
         document, cursor = self.panel.text.document(), QTextCursor(self.panel.text.document())
@@ -75,13 +83,12 @@ class Reader:
 
 def test_where_nobody_is_selected_it_says_what_to_do(panel: InspectorPanel, studio: Studio) -> None:
     assert not studio.selection.nodes
-    label = panel._pages.currentWidget()
-    assert isinstance(label, QLabel)
-    assert label.text() == EMPTY
+    (told,) = [label for label in panel.findChildren(QLabel) if label.isVisibleTo(panel)]
+    assert told.text() == EMPTY
 
 
 def test_it_asks_why_and_answers_with_the_examples_that_agree(reader: Reader) -> None:
-    reader.studio.bridge.send(Step(40))
+    reader.pass_ticks(40)
     reader.look_at("agent-1")
     assert reader.text.startswith("Why is agent 1 in ")
     assert "example" in reader.text
@@ -92,7 +99,7 @@ def test_another_node_is_told_of_as_soon_as_it_is_selected(reader: Reader) -> No
     reader.look_at("agent-1")
     reader.look_at("agent-7")
     reader.studio.selection.select_nodes(())
-    reader.qtbot.waitUntil(lambda: reader.panel._pages.currentIndex() == 0)
+    reader.qtbot.waitUntil(lambda: not reader.panel.text.isVisibleTo(reader.panel))
 
 
 def test_what_is_told_goes_on_with_the_world(reader: Reader) -> None:
@@ -107,7 +114,7 @@ def test_the_examples_that_decide_are_shown_by_a_click_or_by_ctrl_e(
     reader: Reader, window: MainWindow
 ) -> None:
     selection = reader.studio.selection
-    reader.studio.bridge.send(Step(40))
+    reader.pass_ticks(40)
     reader.look_at("agent-1")
     reader.click(next(text for text, _ in reader.links() if text in ("Show it", "Show them")))
     by_click = selection.examples
@@ -120,7 +127,7 @@ def test_the_examples_that_decide_are_shown_by_a_click_or_by_ctrl_e(
 
 
 def test_why_not_something_else_is_answered(reader: Reader) -> None:
-    reader.studio.bridge.send(Step(40))
+    reader.pass_ticks(40)
     reader.look_at("agent-1")
     question = next(text for text, _ in reader.links() if text.startswith("Why not"))
     before = reader.text
@@ -147,12 +154,7 @@ def test_who_should_not_have_left_is_corrected_from_there(reader: Reader, window
     for _ in range(100):
         if studio.teaching.state == "return-with-box":
             break
-        ticket = studio.bridge.send(Step(50))
-        reader.qtbot.waitUntil(
-            partial(
-                lambda ticket: studio.snapshot is not None and studio.snapshot.acknowledged >= ticket, ticket
-            )
-        )
+        reader.pass_ticks(50)
     reader.qtbot.waitUntil(lambda: "It should have stayed" in reader.text)
     before = len(studio.document.project.examples_of("agent", "forage"))
     reader.click("It should have stayed")
