@@ -26,6 +26,10 @@ def test_generated_colors_stand_out_from_every_ground(colors: Palette, ground: s
         assert (bright + 0.05) / (dark + 0.05) >= ENOUGH, nth_color(place).name()
 
 
+def test_the_first_behaviors_have_the_colors_that_the_color_blind_tell_apart() -> None:
+    assert [nth_color(place).name().upper() for place in range(len(OKABE_ITO))] == list(OKABE_ITO)
+
+
 def test_no_two_behaviors_have_the_same_color() -> None:
     names = {nth_color(place).name() for place in range(MANY)}
     assert len(names) == MANY
