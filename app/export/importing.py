@@ -9,12 +9,13 @@ from dataclasses import dataclass, replace
 
 from ..core.automaton import Automaton, Basic, Nested, State
 from ..core.edits.place import with_automaton, with_examples
-from ..core.errors import EditError, LibraryError, ParameterError
+from ..core.errors import EditError, LibraryError, ParameterError, UnderstudyError
 from ..core.hierarchy import problems
 from ..core.library import NodeType
 from ..core.naming import fresh_id, fresh_name
-from ..core.project import Arm, Project
+from ..core.project import Arm, Project, Value
 from ..core.storage.names import file_name_problem, folded, type_name_problem
+from ..core.vocabulary import Vocabulary
 from ..sim.scenario import Scenario
 from .likeness import Likeness
 from .missing import refuse_missing
@@ -97,6 +98,9 @@ def bring(project: Project, scenario: Scenario, source: Project, *, with_arm: bo
     Args:
         scenario: Of *project*.
         with_arm: Whether its arm comes along as well, with its hierarchy and its world.
+
+    Returns:
+        What the project becomes, and what became of each behavior. Of a file that has several arms, the first counts.
 
     Raises:
         EditError: The file is damaged, its node types stand elsewhere, or the scenario lacks what it needs.
@@ -188,11 +192,11 @@ class _Bringing:
         self.project = project
         self._source = source
         self._likeness = Likeness(project, source, scenario.vocabulary)
-        self._names = self._new_names(scenario)
+        self._names = self._new_names(scenario.vocabulary)
 
-    def _new_names(self, scenario: Scenario) -> Mapping[str, str]:
+    def _new_names(self, vocabulary: Vocabulary) -> Mapping[str, str]:
         """What those behaviors of the file are called here whose names mean something else."""
-        taken = set(scenario.vocabulary.behaviors)
+        taken = set(vocabulary.behaviors)
         for project in (self.project, self._source):
             taken |= {a.name for library in project.libraries.values() for a in library.automata.values()}
         names: dict[str, str] = {}
@@ -266,19 +270,32 @@ class _Bringing:
 
 def _with_arm(project: Project, scenario: Scenario, source: Project, arm: Arm) -> tuple[Project, str]:
     """*project* with the arm, in a world like that of the file; also returns the name that it has."""
-    try:
-        wanted = scenario.settle(source.parameters_of(source.arms[0]))
-    except ParameterError as error:
-        raise EditError(f"the arm {arm.name!r} cannot come along: {error}; leave it out") from error
-    base = scenario.settle(project.worlds.get("", {}))
+    wanted = _settled(scenario, source.parameters_of(source.arms[0]), arm)
+    base = _settled(scenario, project.worlds.get("", {}), arm)
     parameters = {name: value for name, value in wanted.items() if base[name] != value}
     arm = replace(arm, world="", parameters=parameters)
     for there in project.arms:
         alike = replace(there, world="", parameters=parameters, note=arm.note) == arm
-        if alike and scenario.settle(project.parameters_of(there)) == wanted:
+        if alike and _is_in(project, scenario, there, wanted):
             return project, there.name
     arm = replace(arm, name=fresh_name({there.name for there in project.arms}, arm.name))
     return _checked(replace(project, arms=(*project.arms, arm)), arm), arm.name
+
+
+def _settled(scenario: Scenario, given: Mapping[str, Value], arm: Arm) -> Mapping[str, Value]:
+    """All parameters of a world that *arm* needs."""
+    try:
+        return scenario.settle(given)
+    except ParameterError as error:
+        raise EditError(f"the arm {arm.name!r} cannot come along: {error}; leave it out") from error
+
+
+def _is_in(project: Project, scenario: Scenario, arm: Arm, parameters: Mapping[str, Value]) -> bool:
+    """Whether an arm of the project is in a world with these parameters; one that cannot be made is in none."""
+    try:
+        return scenario.settle(project.parameters_of(arm)) == parameters
+    except UnderstudyError:
+        return False
 
 
 def _checked(project: Project, arm: Arm) -> Project:

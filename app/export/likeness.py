@@ -25,7 +25,7 @@ class Likeness:
             hold or direct such a one are among them, since they would do something else as well.
     """
 
-    def __init__(self, project: Project, source: Project, scenario: Vocabulary) -> None:
+    def __init__(self, project: Project, source: Project, vocabulary: Vocabulary) -> None:
         self._project, self._source = project, source
         self._directed = {
             (above, automaton.name)
@@ -33,27 +33,27 @@ class Likeness:
             for automaton in source.library(node_type.name).automata.values()
             for above in meanings(source, node_type.name, automaton.name)
         }
-        self.taken = frozenset(self._found(scenario))
+        self.taken = frozenset(self._found(vocabulary))
 
     def directs(self, type_name: str, behavior: str) -> bool:
         """Whether a controller of this type means a behavior of the file by that name."""
         return (type_name, behavior) in self._directed
 
-    def _found(self, scenario: Vocabulary) -> set[str]:
-        files = [
+    def _found(self, vocabulary: Vocabulary) -> set[str]:
+        behaviors = [
             (node_type, automaton)
             for node_type in self._source.types
             for automaton in self._source.library(node_type.name).automata.values()
         ]
         taken = {
             automaton.name
-            for node_type, automaton in files
-            if (node_type.level == 0 and automaton.name in scenario.behaviors)
+            for node_type, automaton in behaviors
+            if (node_type.level == 0 and automaton.name in vocabulary.behaviors)
             or not self._agrees(node_type.name, automaton)
         }
         while more := {
             automaton.name
-            for node_type, automaton in files
+            for node_type, automaton in behaviors
             if automaton.name not in taken
             and self._project.library(node_type.name).by_name(automaton.name) is not None
             and self._mentioned(node_type.name, automaton) & taken

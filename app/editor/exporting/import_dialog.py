@@ -28,7 +28,7 @@ from ...core.amounts import counted
 from ...core.errors import EditError, UnderstudyError
 from ...core.project import Arm, Project
 from ...export.importing import Import, bring
-from ...export.library_file import read
+from ...export.library_file import MAKES_ONE, read
 from ...sim.scenario import Scenario
 from ..actions import ActionRow, when_open
 from ..documents.background import Background, Job
@@ -74,6 +74,13 @@ def offer_of(project: Project, scenario: Scenario, source: Project) -> Offer:
         except EditError as error:
             whole = str(error)
     return Offer(project, source, behaviors, whole)
+
+
+def _source(name: str) -> Project:
+    """What the file of a name holds."""
+    if not name:
+        raise EditError(f"name the file to import: {MAKES_ONE}, and so does File > Export…")
+    return read(Path(name)).project
 
 
 class ImportDialog(QDialog):
@@ -149,9 +156,9 @@ class ImportDialog(QDialog):
 
     def _read(self) -> None:
         """See what the file holds, and what that would bring."""
-        path, document = Path(self.path.text().strip()), self._studio.document
+        name, document = self.path.text().strip(), self._studio.document
         project, scenario = document.project, document.scenario
-        self._ask(lambda: offer_of(project, scenario, read(path).project))
+        self._ask(lambda: offer_of(project, scenario, _source(name)))
 
     def _look_again(self) -> None:
         """The project has changed: what the file would bring may be something else."""

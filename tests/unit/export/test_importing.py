@@ -275,6 +275,19 @@ def test_an_arm_whose_world_is_not_possible_here_is_refused_and_can_be_left_out(
     assert bring(empty(), foraging, source).added
 
 
+def test_where_the_projects_own_worlds_are_not_possible_behaviors_can_come_all_the_same() -> None:
+    with pytest.raises(EditError, match=r"'one level' cannot come along: .*'seasons'.*; leave it out"):
+        bring(set_world(empty(), "", {"seasons": 4}), foraging, TRAINED, with_arm=True)
+    assert bring(set_world(empty(), "", {"seasons": 4}), foraging, TRAINED).added
+
+
+def test_an_arm_of_the_project_whose_world_is_not_possible_is_not_taken_for_that_of_the_file() -> None:
+    here = bring(empty(), foraging, TRAINED, with_arm=True).project
+    for arm in (replace(here.arms[0], parameters={"seasons": 4}), replace(here.arms[0], world="gone")):
+        result = bring(replace(here, arms=(arm,)), foraging, TRAINED, with_arm=True)
+        assert (result.arm, result.arm_is_here) == ("one level 2", False)
+
+
 def test_an_arm_with_nodes_where_the_project_does_not_allow_them_is_refused() -> None:
     types = (NodeType("agent"), NodeType("robot"), NodeType("group", 1, ("robot",)))
     source = replace(
