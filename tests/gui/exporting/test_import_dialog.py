@@ -183,7 +183,7 @@ def test_a_bad_file_is_told_and_another_name_can_be_typed(
     dialog.path.selectAll()
     qtbot.keyClick(dialog.path, Qt.Key.Key_Delete)
     qtbot.keyClick(dialog.path, Qt.Key.Key_Tab)
-    qtbot.waitUntil(lambda: "name the file to import" in dialog.trouble.text(), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: "Name the file to import" in dialog.trouble.text(), timeout=PATIENCE)
     assert not dialog.ok.isEnabled()
     dialog.reject()
 
