@@ -21,7 +21,7 @@ class Relearning(QObject):
 
     Attributes:
         busy: Whether something is being learned.
-        learned_at: When the last answer was taken in, by the monotonic clock; 0.0 before the first.
+        learned_at: When the last answer was taken in, by the monotonic clock; 0.0 before the project's first.
 
     Signals:
         changed: Learning began or ended.
@@ -44,7 +44,7 @@ class Relearning(QObject):
         self._soon.timeout.connect(self.learn)
         self._ready.connect(self._take)
         document.project_changed.connect(self._project_changed)
-        document.opened.connect(self._soon.stop)
+        document.opened.connect(self._opened)
 
     def learn(self) -> None:
         """Learn now what is stale."""
@@ -57,6 +57,10 @@ class Relearning(QObject):
         self._soon.stop()
         self._relearner.close()
 
+    def _opened(self) -> None:
+        self._soon.stop()
+        self.learned_at = 0.0
+
     def _project_changed(self, before: Project, after: Project) -> None:
         untouched = before.examples is after.examples and before.libraries is after.libraries
         if self._settings.learns_by_itself and not untouched:
@@ -64,10 +68,11 @@ class Relearning(QObject):
 
     def _take(self) -> None:
         for answer in self._relearner.answers():
-            self._set_busy(busy=False)
-            if answer.revision == self._document.revision:
+            fits = answer.revision == self._document.revision
+            if fits:
                 self._use(answer)
-            elif self._settings.learns_by_itself:
+            self._set_busy(busy=False)  # who has waited for it finds it in the document
+            if not fits and self._settings.learns_by_itself:
                 self._soon.start()
 
     def _use(self, answer: RelearnAnswer) -> None:
