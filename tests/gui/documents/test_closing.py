@@ -13,6 +13,7 @@ from app.core.project import Project
 from app.core.storage import load, save
 from app.editor.window.main_window import MainWindow
 from app.engine import relearning
+from app.learner.trainer import learn
 from tests.gui.conftest import PATIENCE
 
 from .desk import answer, changed, opened, press, question
@@ -66,7 +67,7 @@ def test_what_was_waited_for_is_not_lost_by_closing_then(
     save(stale, folder)
     opened(desk, qtbot, folder)
     before = stale.library("agent").get("wander").learned_from
-    may_go_on, learn = Event(), relearning.learn
+    may_go_on = Event()
 
     def learn_later(*told: Any, **more: Any) -> Any:
         assert may_go_on.wait(PATIENCE / 1000)
