@@ -11,6 +11,7 @@ from ..editor.drawing.figures import FigureError, draw
 from ..engine.cores import cores
 from ..engine.experiments.findings import Findings, findings
 from ..engine.experiments.fingerprint import fingerprint_of
+from ..engine.experiments.lengths import ENDING, results_stem
 from ..engine.experiments.load import FOLDER, experiments_in, load_experiment
 from ..engine.experiments.plan import SEEDS_A_CELL, Experiment
 from ..engine.experiments.report import (
@@ -111,8 +112,8 @@ def refuse_unsound(opened: Opened, experiment: Experiment) -> None:
 def _files(request: Request, experiment: Experiment) -> Files:
     """Where results go; runs of another length get files of their own."""
     folder = request.out or request.folder / RESULTS
-    stem = experiment.name if request.ticks is None else f"{experiment.name}-{experiment.ticks}-ticks"
-    return Files(folder / f"{stem}.sqlite", folder / f"{stem}.md")
+    stem = results_stem(experiment.name, request.ticks)
+    return Files(folder / f"{stem}{ENDING}", folder / f"{stem}.md")
 
 
 def _make_runs(request: Request, opened: Opened, experiment: Experiment, results: Results) -> bool:

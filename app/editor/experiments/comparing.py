@@ -11,8 +11,9 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from ...core.errors import UnderstudyError
+from ...engine.experiments.lengths import other_lengths
 from ...engine.experiments.report import measures_in, place, with_interval
-from .study import Kept, Study, other_lengths
+from .study import Kept, Study
 from .tables import TextTable, table_view
 
 if TYPE_CHECKING:
@@ -111,26 +112,25 @@ class ComparePage(QWidget):
 
     def _show(self) -> None:
         measures = list(dict.fromkeys(name for found in self._found.values() for name in measures_in(found)))
-        where = ["where"] if any(found.experiment.factors for found in self._found.values()) else []
+        varied = any(found.experiment.factors for found in self._found.values())
         rows = [
-            _row(name, found, summary, where, measures)
+            _row(name, found, summary, measures, varied=varied)
             for (name, _), found in self._found.items()
             for summary in found.summaries
         ]
-        head = ["experiment", "arm", *where, "ticks", "runs", *measures, "stalled"] if rows else []
-        self.model.show(head, rows, 2 + len(where))
+        words = ["experiment", "arm", "where"] if varied else ["experiment", "arm"]
+        head = [*words, "ticks", "runs", *measures, "stalled"] if rows else []
+        self.model.show(head, rows, len(words))
         self.told.setText("Means with half the width of their 95% confidence intervals." if rows else FIRST)
 
 
-def _row(
-    name: str, found: Findings, summary: Summary, where: Sequence[str], measures: Sequence[str]
-) -> list[str]:
-    """An arm of an experiment; *where* has a name if any experiment varies something."""
+def _row(name: str, found: Findings, summary: Summary, measures: Sequence[str], *, varied: bool) -> list[str]:
+    """An arm of an experiment; with what is varied there, if any experiment that is shown varies something."""
     at = place(summary.cell.levels, found.experiment) if found.experiment.factors else ""
     return [
         name,
         summary.cell.arm,
-        *(at for _ in where),
+        *([at] if varied else []),
         f"{found.experiment.ticks:,}",
         str(summary.runs),
         *(with_interval(summary.measures.get(measure)) for measure in measures),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ...core.amounts import counted, lasting
 from ...engine.experiments.laboratory import Look, Stage
-from .study import Kept, Study, other_lengths
+from ...engine.experiments.lengths import other_lengths
+from .study import Kept, Study
 
 
 def words_of(look: Look, study: Study) -> str:

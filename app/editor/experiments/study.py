@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -12,6 +11,7 @@ from pathlib import Path
 from ...core.project import Project
 from ...engine.experiments.findings import Findings, findings
 from ...engine.experiments.fingerprint import fingerprint_of
+from ...engine.experiments.lengths import ENDING, results_stem
 from ...engine.experiments.load import load_experiment
 from ...engine.experiments.plan import Experiment
 from ...engine.experiments.store import Results, Row
@@ -40,11 +40,9 @@ class Study:
     @property
     def path(self) -> Path:
         """The results file; runs of another length have one of their own, as on the command line."""
-        name = self.experiment.name
-        stem = (
-            name if self.experiment.ticks == self.declared.ticks else f"{name}-{self.experiment.ticks}-ticks"
-        )
-        return self.folder / f"{stem}.sqlite"
+        ticks = self.experiment.ticks
+        stem = results_stem(self.experiment.name, None if ticks == self.declared.ticks else ticks)
+        return self.folder / f"{stem}{ENDING}"
 
     @property
     def total(self) -> int:
@@ -87,14 +85,6 @@ def study_of(project: Project, scenario: Scenario, folder: Path, name: str, resu
     return Study(project, scenario, declared, declared, results)
 
 
-def other_lengths(name: str, results: Path) -> list[int]:
-    """The ticks of runs that are not as long as the experiment *name* says, and of which there are results."""
-    found = (
-        re.fullmatch(f"{re.escape(name)}-([0-9]+)-ticks", path.stem) for path in results.glob("*.sqlite")
-    )
-    return sorted(int(match[1]) for match in found if match)
-
-
 def results_folder(project_folder: Path, own: Path) -> Path:
     """Where results go: into the project's folder, or the user's *own* where that cannot be written to."""
     inside = project_folder / RESULTS
@@ -120,6 +110,6 @@ def kept_of(study: Study) -> Kept | None:
 def move_aside(study: Study) -> Path:
     """Give results of the project as it was another name, so that the experiment can begin anew."""
     stamp = time.strftime("%Y-%m-%d-%H%M%S", time.localtime(study.path.stat().st_mtime))
-    aside = study.path.with_name(f"{study.path.stem}-until-{stamp}.sqlite")
+    aside = study.path.with_name(f"{study.path.stem}-until-{stamp}{ENDING}")
     study.path.rename(aside)
     return aside
