@@ -52,7 +52,7 @@ class Soon(QObject):
             self.line.remove(self)
 
     def be_done(self) -> None:
-        """It is time."""
+        """Do it: it is first in line."""
         self._is_in_line = False
         self._do()
 
@@ -120,7 +120,7 @@ def _work() -> None:
 
 
 def catch_up() -> None:
-    """Do now all that is to be done before the next key."""
+    """Do now all that is to be done before the next key, and what that asks for in turn, up to `ROUNDS` deep."""
     line = Soon.line
     for _ in range(ROUNDS):
         for _ in range(len(line)):

@@ -26,10 +26,13 @@ class OnTop:
     """What lies on a canvas.
 
     Attributes:
-        failure: Why the world stands still.
-        moment: That it is a stored one.
-        prompt: What is to be chosen.
-        notice: What else there is to know of the world.
+        badge: Who is taught or tested.
+        camera_buttons: Beside the right edge.
+        legend: What colors tell, and how many there are of each.
+        failure: Says why the world stands still.
+        moment: Says that what is shown is a stored moment.
+        prompt: Says what is to be chosen.
+        notice: Says what else there is to know of the world.
     """
 
     def __init__(self, studio: Studio, canvas: Surface) -> None:

@@ -41,5 +41,5 @@ class Picture:
         self._pixmap = QPixmap()
 
     def _wanted(self) -> QSize:
-        """Pixels of the screen."""
+        """The size that the widget has, in pixels of the screen."""
         return self._widget.size() * self._widget.devicePixelRatioF()

@@ -1,4 +1,4 @@
-"""Where agents have been; no Qt."""
+"""Where agents have been, as arrays; no Qt."""
 
 from __future__ import annotations
 

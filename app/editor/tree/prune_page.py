@@ -117,7 +117,9 @@ class PrunePage(QWidget):
             kind, number = self.listed.currentItem().data(Qt.ItemDataRole.UserRole)
             automaton = self._subject.automaton
             found = automaton.prunes if kind == "prune" else automaton.cuts
-            self._studio.selection.select_state(next(what.source for what in found if what.id == number))
+            for what in found:
+                if what.id == number:
+                    self._studio.selection.select_state(what.source)
 
     def take_back(self) -> None:
         """Take back what is selected."""
