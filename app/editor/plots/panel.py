@@ -48,6 +48,7 @@ class PlotsPanel(QWidget):
         self._lines = Lines(BehaviorShares())
         self.view: LinesView | None = None
         self.what = self._box("What is plotted", 20)
+        self._below = False  # whether shares are of what is below the selected controller
         self.whom = self._box("Of whom: the world, or what is below the selected controller", 14)
         self._lay_out()
         self._live = Later(self, self.redraw, REDRAW)
@@ -60,7 +61,7 @@ class PlotsPanel(QWidget):
         studio.colors.changed.connect(self._choose)
         studio.theme.changed.connect(self._choose)
         self.what.activated.connect(lambda _: self._choose())
-        self.whom.activated.connect(lambda _: self._choose())
+        self.whom.activated.connect(self._choose_whom)
         studio.actions.add(plot_rows(self))
         self._offer()
 
@@ -139,12 +140,10 @@ class PlotsPanel(QWidget):
             self.what.addItem(words, subject)
         self.what.setCurrentIndex(max(0, min(chosen, self.what.count() - 1)))
         group = self.group()
-        below = self.whom.currentIndex() == 1
         self.whom.clear()
         self.whom.addItem("of the world", None)
         if group is not None:
             self.whom.addItem(f"of {node_words(group)}", group.id)
-            self.whom.setCurrentIndex(int(below))
         self._choose()
 
     def choose(self, words: str) -> None:
@@ -152,10 +151,16 @@ class PlotsPanel(QWidget):
         self.what.setCurrentIndex(max(0, self.what.findText(words)))
         self._choose()
 
+    def _choose_whom(self, at: int) -> None:
+        self._below = at == 1
+        self._choose()
+
     def _choose(self) -> None:
         subject = self.what.currentData()
-        self.whom.setEnabled(not isinstance(subject, MeasureOf))
-        group = self.group() if self.whom.currentData() and not isinstance(subject, MeasureOf) else None
+        measures = isinstance(subject, MeasureOf)  # they are of the world
+        self.whom.setEnabled(not measures)
+        self.whom.setCurrentIndex(int(self._below and not measures and self.whom.count() > 1))
+        group = self.group() if self.whom.currentData() else None
         self._lines = Lines(subject or BehaviorShares(), rows_below(group))
         if self.view is not None:
             self.view.clear()

@@ -67,6 +67,10 @@ def test_a_group_can_be_plotted_by_itself(window: MainWindow, panel: PlotsPanel,
     key = next(iter(curves(panel)))
     values = panel._lines.line(key)[1]
     assert set((5 * values).round(6)) <= {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}
+    shares = panel.what.currentText()
+    for subject, whom in (("Boxes", "of the world"), (shares, "of Group 2")):  # a measure is of the world
+        panel.choose(subject)
+        assert panel.whom.currentText() == whom
 
 
 def test_another_world_begins_other_curves(window: MainWindow, panel: PlotsPanel, qtbot: QtBot) -> None:

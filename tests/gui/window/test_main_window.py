@@ -242,7 +242,7 @@ def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: 
 
 
 def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_saved(
-    window: MainWindow, qtbot: QtBot
+    window: MainWindow, foraging: Project, qtbot: QtBot
 ) -> None:
     bar = window.statusBar()
     assert isinstance(bar, StatusBar)
@@ -254,6 +254,8 @@ def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_s
     window.studio.document.do(disable_examples, "agent", "wander", ["1"])
     qtbot.waitUntil(lambda: bar.learner.text().startswith("learned "), timeout=PATIENCE)
     assert bar.saved.text() == "unsaved changes"
+    window.studio.open(foraging, open_scenario(foraging), None, saved=False)
+    qtbot.waitUntil(lambda: bar.learner.text() == "", timeout=PATIENCE)  # that was another project
 
 
 @pytest.mark.parametrize("mode", ["before a lesson", "in a lesson"])
