@@ -11,7 +11,7 @@ from app.core.features import Ground, Sense
 from app.editor.teach.ask_control import AskControl
 from app.editor.window.main_window import MainWindow
 from app.engine.snapshots import Asked, Mode
-from tests.gui.teach.hand import LEFT, POLL, Hand
+from tests.gui.teach.hand import CONTROL, LEFT, POLL, Hand
 
 
 @pytest.fixture
@@ -110,7 +110,10 @@ def test_it_may_decide_by_itself_and_is_not_asked_about_the_same_again(unsure: H
         asked = unsure.snapshot.asked
         if asked is not None:
             states.append(asked.state)
-            unsure.click(unsure.panel.question.let_go)
+            if len(states) % 2:
+                unsure.key(Qt.Key.Key_Return, CONTROL)
+            else:
+                unsure.click(unsure.panel.question.let_go)
         wait_for_another(unsure, asked, tick + 60)
     assert "forward" in states
     assert len(states) == len(set(states))
