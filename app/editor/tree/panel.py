@@ -41,6 +41,7 @@ from .shape import Key, lit
 from .subject import Subject
 from .tools import Tools
 from .view import TreeView
+from .words import treeless_words
 
 if TYPE_CHECKING:
     from ...core.examples import Example
@@ -51,8 +52,6 @@ if TYPE_CHECKING:
 LIVE = 33
 #: Pixels that the tree keeps whatever is open below it.
 LOWEST = 104
-#: Of the states that have learned something, so many are named.
-MOST_NAMED = 4
 
 
 class TreePanel(QWidget):
@@ -256,21 +255,12 @@ class TreePanel(QWidget):
             self._states.setCurrentIndex(self._states.findData(self.studio.selection.state))
 
     def _explanation(self) -> str:
-        """Why there is no tree, and what to do."""
+        """Why there is no tree, what to do, and what a model without one says now."""
         subject = self.subject
-        if subject is None:
-            return "Choose a behavior in the library to see how it decides."
-        name = subject.name(subject.state)
-        if isinstance(subject.model, Refit):
-            title = METHODS[subject.model.classifier].title
-            said = f"{title} has no tree to show: {name} decides by a model that is fitted to its examples."
-            return f"{said} {self._outcome_now()}".strip()
-        if subject.automaton.rules_of(subject.state):
-            return f"{name} has learned nothing; its rules decide, and what they leave stays."
-        said = f"{name} has learned nothing yet, so it stays for ever. Teach it, or add a rule."
-        taught = [subject.name(s.id) for s in subject.automaton.states if s.id in subject.automaton.learned]
-        named = f"{', '.join(taught[:MOST_NAMED])}{' or another state' if taught[MOST_NAMED:] else ''}"
-        return f"{said}\n\nTo see what was learned, choose above: {named}." if taught else said
+        told = treeless_words(subject)
+        if subject is not None and isinstance(subject.model, Refit):
+            return f"{told} {self._outcome_now()}".strip()
+        return told
 
     # -------------------------------------------------------------------------------------------------- live
 
