@@ -1,4 +1,4 @@
-"""Prunes and moved cuts in words."""
+"""Prunes, moved cuts, and why there is no tree, in words."""
 
 from __future__ import annotations
 
