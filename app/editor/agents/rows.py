@@ -26,10 +26,10 @@ def has_nodes(studio: Studio) -> bool:
 def agent_rows(panel: AgentsPanel) -> tuple[ActionRow, ...]:
     """The actions that concern the forest."""
     ways = (
-        (Move.UP, "up", "before the node above", "Alt+Up"),
-        (Move.DOWN, "down", "behind the node below", "Alt+Down"),
-        (Move.OUT, "out of the group", "behind their controller", "Alt+Left"),
-        (Move.IN, "into the group before", "under the controller right above them", "Alt+Right"),
+        (Move.UP, "up", "before the node above", "Alt+Up", "arrow-up"),
+        (Move.DOWN, "down", "behind the node below", "Alt+Down", "arrow-down"),
+        (Move.OUT, "out of the group", "behind their controller", "Alt+Left", "arrow-left"),
+        (Move.IN, "into the group before", "under the controller right above them", "Alt+Right", "arrow-right"),
     )
     return (
         ActionRow(
@@ -97,7 +97,7 @@ def agent_rows(panel: AgentsPanel) -> tuple[ActionRow, ...]:
     )
 
 
-def _move_row(panel: AgentsPanel, way: Move, words: str, where: str, keys: str) -> ActionRow:
+def _move_row(panel: AgentsPanel, way: Move, words: str, where: str, keys: str, icon: str) -> ActionRow:
     return ActionRow(
         f"node.{way.value}",
         f"Move nodes {words}",
@@ -105,5 +105,6 @@ def _move_row(panel: AgentsPanel, way: Move, words: str, where: str, keys: str) 
         lambda _: panel.hand.shift(way),
         "forest",
         tip=f"Move the selected nodes {where} ({keys} in the agents)",
+        icon=icon,
         enabled=has_nodes,
     )

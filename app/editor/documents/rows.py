@@ -85,6 +85,7 @@ def leaving_rows(files: Files) -> tuple[ActionRow, ...]:
             "close",
             "Ctrl+W",
             "Close the project and show the welcome page",
+            "close",
             enabled=when_open,
         ),
         ActionRow(

@@ -113,6 +113,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Add a rule to the transition",
             add_rule,
             "One more rule between the same states",
+            icon="source-branch-plus",
             enabled=able.has_edge,
         ),
         row(
@@ -120,6 +121,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Turn what the state learned into rules",
             with_state(panel.editing.author),
             "Rules that do what its decision tree does now",
+            icon="playlist-edit",
             enabled=able.has_learned,
         ),
         row(
@@ -127,6 +129,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Remove the rules of the state",
             with_state(panel.editing.unauthor),
             "What the state learned decides alone again",
+            icon="playlist-remove",
             enabled=able.has_rules,
         ),
         row(
@@ -150,6 +153,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Duplicate the states",
             lambda _: panel.duplicate(),
             "Copies beside the selected states, with their transitions; Ctrl+D in the graph",
+            icon="content-duplicate",
             enabled=able.has_state,
         ),
         row(
@@ -166,6 +170,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Take back the prunes of the transition",
             take_back,
             "What was learned may lead there again",
+            icon="restore",
             enabled=able.has_prunes,
         ),
     )

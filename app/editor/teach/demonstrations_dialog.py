@@ -41,6 +41,7 @@ def demonstration_rows(parent: QWidget) -> tuple[ActionRow, ...]:
             lambda studio: show_demonstrations(studio, parent),
             "demonstrations",
             tip="What was taught where, in the order in which it is played again",
+            icon="movie-open-outline",
             enabled=when_open,
         ),
     )

@@ -66,6 +66,7 @@ def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
             lambda _: panel.take_back(),
             "tree",
             tip="What is pruned at the selected node of the decision tree is possible again",
+            icon="restore",
             enabled=has_prunes,
         ),
         *(_tool_row(panel, shows, *tool) for tool in TOOLS),

@@ -210,6 +210,7 @@ class MainWindow(QMainWindow):
                 lambda _: self.standard_layout(),
                 "panels",
                 tip="Put all panels back where they stood at first",
+                icon="view-dashboard-outline",
                 enabled=when_open,
             ),
         )

@@ -145,6 +145,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "speed",
             "+",
             "Double the speed",
+            "fast-forward",
         ),
         ActionRow(
             "run.slower",
@@ -154,6 +155,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "speed",
             "-",
             "Halve the speed",
+            "rewind",
         ),
         ActionRow(
             "run.reset",
@@ -255,6 +257,7 @@ def view_rows() -> tuple[ActionRow, ...]:
             copy_place,
             "copy",
             tip="Put scenario, arm, seed and tick of what is shown into the clipboard",
+            icon="content-copy",
             enabled=when_open,
         ),
     )

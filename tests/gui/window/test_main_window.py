@@ -29,6 +29,7 @@ def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: 
         assert row.text, row.id
         assert row.tip, f"{row.id} has no tip"
         assert row.menu in ("", *MENUS), row.id
+        assert row.icon or row.checked, f"{row.id} has no icon, and no mark either"
 
 
 def test_every_action_is_in_a_menu_or_on_a_button(window: MainWindow) -> None:
