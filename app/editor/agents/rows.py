@@ -29,7 +29,13 @@ def agent_rows(panel: AgentsPanel) -> tuple[ActionRow, ...]:
         (Move.UP, "up", "before the node above", "Alt+Up", "arrow-up"),
         (Move.DOWN, "down", "behind the node below", "Alt+Down", "arrow-down"),
         (Move.OUT, "out of the group", "behind their controller", "Alt+Left", "arrow-left"),
-        (Move.IN, "into the group before", "under the controller right above them", "Alt+Right", "arrow-right"),
+        (
+            Move.IN,
+            "into the group before",
+            "under the controller right above them",
+            "Alt+Right",
+            "arrow-right",
+        ),
     )
     return (
         ActionRow(
