@@ -8,6 +8,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
+from app.core.automaton import Automaton
 from app.editor.graph.condition_row import ConditionRow
 from app.editor.graph.offers import BEHAVIOR_MIME
 from app.editor.graph.panel import GraphPanel
@@ -166,3 +167,11 @@ class Author:
         for act in said:
             act(self.row(number))
             self.settle()
+
+
+def automaton(author: Author) -> Automaton:
+    root = author.panel.root
+    assert root is not None
+    found = author.panel.studio.document.automaton(root.type, root.id)
+    assert found is not None
+    return found

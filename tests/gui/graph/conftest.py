@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.core.edits import add_automaton
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -28,3 +29,12 @@ def panel(studio: Studio, qtbot: QtBot) -> Iterator[GraphPanel]:
 def author(panel: GraphPanel, qtbot: QtBot) -> Author:
     """A hand on it."""
     return Author(panel, qtbot)
+
+
+@pytest.fixture
+def blank(studio: Studio, author: Author) -> BehaviorKey:
+    """An automaton without states, shown."""
+    made = studio.document.do(add_automaton, "authored-agent", "Mine", ("X",))
+    key = BehaviorKey("authored-agent", made)
+    author.show(key)
+    return key

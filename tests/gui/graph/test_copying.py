@@ -1,0 +1,132 @@
+"""Copying states: with their transitions, into other automata and node types."""
+
+from itertools import combinations
+
+import pytest
+from PySide6.QtCore import QPoint, QRectF, Qt
+
+from app.core.automaton import Basic, Nested
+from app.core.edits import add_automaton, add_state, duplicate_automaton
+from app.editor.graph.editing import LEARNED_COPIED
+from app.editor.selection import BehaviorKey
+from app.editor.studio import Studio
+from tests.gui.graph.author import CTRL, Author, automaton
+
+AUTHORED = BehaviorKey("authored-agent", "forage")
+
+
+def test_states_are_duplicated_with_their_transitions(author: Author) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_D, CTRL)
+    found = automaton(author)
+    assert len(found.states) == 5
+    assert len(found.rules) == 5
+    assert len(author.panel.scene.selected) == 2
+
+
+@pytest.mark.parametrize("by_hand", [False, True])
+def test_duplicates_cover_no_state(author: Author, by_hand: bool) -> None:
+    if by_hand:
+        place = author.at(author.named("Wander"))
+        author.drag(place, place + QPoint(12, 0))
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_D, CTRL)
+    level = author.panel.scene.levels[()]
+    assert len(level.places) == 5
+    boxes = [
+        QRectF(x - width / 2, y - height / 2, width, height)
+        for state, (x, y) in level.places.items()
+        for width, height in [level.sizes[state]]
+    ]
+    assert not [(a, b) for a, b in combinations(boxes, 2) if a.intersects(b)]
+
+
+def test_states_are_copied_into_another_automaton(author: Author, blank: BehaviorKey) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(blank)
+    author.key(Qt.Key.Key_V, CTRL)
+    found = automaton(author)
+    assert [state.content for state in found.states[1:]] == [Nested("wander"), Nested("return-with-box")]
+    assert [(rule.source, rule.target) for rule in found.rules] == [
+        ("wander", "return-with-box"),
+        ("return-with-box", "wander"),
+    ]
+
+
+def test_what_copied_states_learned_comes_along_as_rules(author: Author, studio: Studio) -> None:
+    top = studio.document.do(add_automaton, "agent", "Top")
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(BehaviorKey("agent", top))
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert said.args[0].text == LEARNED_COPIED
+    shown = {key[1:]: item.edge.rules[0].words for key, item in author.panel.scene.edges.items()}
+    assert shown["wander", "return-with-box"] == "sees a box"
+    assert shown["return-with-box", "wander"] == "done"
+
+
+def test_states_of_an_automaton_that_is_gone_are_not_pasted_which_is_said(
+    author: Author, studio: Studio, blank: BehaviorKey
+) -> None:
+    gone = studio.document.do(add_automaton, "agent", "Gone")
+    studio.document.do(add_state, "agent", gone, Basic("Forward"))
+    author.show(BehaviorKey("agent", gone))
+    author.click(author.named("Forward"))
+    author.key(Qt.Key.Key_C, CTRL)
+    studio.undo()
+    studio.undo()
+    author.show(blank)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert gone in said.args[0].text
+    assert len(automaton(author).states) == 1
+
+
+def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
+    author: Author, blank: BehaviorKey, studio: Studio
+) -> None:
+    stroll = studio.document.do(duplicate_automaton, "agent", "wander", "Stroll")
+    top = studio.document.do(add_automaton, "agent", "Top")
+    for held in ("forage", stroll):
+        studio.document.do(add_state, "agent", top, Nested(held))
+    author.show(BehaviorKey("agent", top))
+    author.click(("forage",))
+    author.click(("stroll",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(blank)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert said.args[0].text == "Stroll came along to authored-agent, since the states hold it"
+    assert [state.content for state in automaton(author).states[1:]] == [Nested("forage"), Nested("stroll")]
+    assert len(studio.document.project.examples_of("authored-agent", "stroll")) == 10
+    studio.undo()
+    assert studio.document.automaton("authored-agent", "stroll") is None
+
+
+def test_what_the_other_node_type_cannot_see_stays_behind_and_it_is_said(
+    author: Author, studio: Studio
+) -> None:
+    group = BehaviorKey("group", studio.document.do(add_automaton, "group", "Lead"))
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(group)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    words = "transitions that look at ICanSeeABox did not: group cannot see that"
+    assert said.args[0].text == f"{LEARNED_COPIED}; {words}"
+    found = studio.document.automaton("group", group.id)
+    assert found is not None
+    assert [use.shown for use in found.features] == ["done"]
