@@ -28,11 +28,16 @@ def show_example(pilot: Pilot) -> int:
 
 def test_the_legend_counts_and_a_click_lights_those_up(pilot: Pilot) -> None:
     pilot.send(Step(200))
-    pilot.wait(lambda: "Wander" in pilot.canvas.on_top.legend.buttons)
-    button = pilot.canvas.on_top.legend.buttons["Wander"]
-    coloring = pilot.frame.coloring
-    counts = {e.words: n for e, n in zip(coloring.entries, coloring.counts, strict=True)}
-    pilot.wait(lambda: button.text() == f"Wander {counts['Wander']}")
+    legend = pilot.canvas.on_top.legend
+    pilot.wait(lambda: "Wander" in legend.buttons)
+
+    def counted() -> str:
+        coloring = pilot.frame.coloring
+        counts = {e.words: n for e, n in zip(coloring.entries, coloring.counts, strict=True)}
+        return f"Wander {counts['Wander']}"
+
+    pilot.wait(lambda: legend.buttons["Wander"].text() == counted())
+    button, coloring = legend.buttons["Wander"], pilot.frame.coloring
     assert not pilot.is_lit()
     pilot.qtbot.mouseClick(button, LEFT)
     lit = pilot.frame.lit
