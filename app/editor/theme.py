@@ -163,6 +163,7 @@ QToolBar {{ background: {colors.background}; border: none; border-bottom: 1px so
     padding: 6px 8px; spacing: 5px; }}
 QToolBar::separator {{ background: {colors.hairline}; width: 1px; margin: 5px 3px; }}
 QToolBar QToolButton {{ padding: 4px 7px; }}
+QToolBar #qt_toolbar_ext_button {{ padding: 0; border: none; background: transparent; }}
 QToolTip {{ background: {colors.raised}; color: {colors.text}; border: 1px solid {colors.hairline}; padding: 4px; }}
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {colors.hairline};
     border-radius: 6px; padding: 3px 8px; background: {colors.raised}; }}

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 #: The field of the seed has room for at least and at most so many digits; longer seeds are scrolled in.
 SEED_DIGITS = (5, 10)
+#: Pixels of the list of arms, at least; where there is no room for it, it is in what the tool bar opens at its end.
+NARROWEST_ARM = 120
 
 
 class ModeSwitch(QWidget):
@@ -173,6 +175,7 @@ class Toolbar(QToolBar):
         )
         self.arm.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.arm.setMinimumContentsLength(14)
+        self.arm.setMinimumWidth(NARROWEST_ARM)  # a tool bar would make it narrower than it can be read
         self.arm.setMaximumWidth(200)
         self.arm.activated.connect(lambda _: self._studio.use_arm(self.arm.currentData()))
         self.before_arm = self.addWidget(self.arm)
@@ -210,3 +213,12 @@ class Toolbar(QToolBar):
         if self._worn != (theme.palette, name):
             self._worn = theme.palette, name
             self._studio.actions["run.play"].setIcon(icon(name, theme))
+            self._dress_more()
+
+    def _dress_more(self) -> None:
+        """What opens the rest, where the window is too narrow for all, can be seen as such."""
+        more = self.findChild(QToolButton, "qt_toolbar_ext_button")
+        assert isinstance(more, QToolButton)
+        more.setIcon(icon("chevron-double-right", self._studio.theme))
+        more.setToolTip("What there is no room for")
+        more.setAccessibleName("More")

@@ -19,6 +19,7 @@ from app.editor.studio import Studio
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
 from app.editor.window.status_bar import StatusBar
+from app.editor.window.toolbar import Toolbar
 from app.engine.scenarios import open_scenario
 from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
@@ -329,3 +330,18 @@ def test_a_world_that_departs_from_its_arm_says_how_until_the_arm_is_chosen_agai
     qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Down)
     qtbot.keyClick(window.toolbar.arm, Qt.Key.Key_Up)
     qtbot.waitUntil(lambda: bar.scenario.text() == "foraging · kinematic", timeout=PATIENCE)
+
+
+def test_what_the_tool_bar_has_no_room_for_opens_at_its_end(window: MainWindow, qtbot: QtBot) -> None:
+    window.resize(window.minimumSizeHint().width(), 800)
+    tools = window.findChild(Toolbar)
+    assert tools is not None
+    more = tools.findChild(QToolButton, "qt_toolbar_ext_button")
+    assert isinstance(more, QToolButton)
+    qtbot.waitUntil(more.isVisible)
+    assert not tools.arm.isVisible()
+    assert not more.icon().isNull()
+    assert more.toolTip() == "What there is no room for"
+    window.resize(1440, 900)
+    qtbot.waitUntil(lambda: not more.isVisible())
+    assert tools.arm.isVisible()
