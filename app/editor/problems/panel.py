@@ -23,6 +23,8 @@ NONE = "No problems: everything is bound, can be reached, and has something to d
 #: Pixels that columns get in any case, if they need them, and their share of a wide list; problems get the rest.
 GRANTED = {PLACE: 170, FIX: 190}
 SHARE = 0.25
+#: Rows below those in sight that a column is made wide enough for: there may be thousands.
+MEASURED = 50
 
 
 class ProblemsPanel(QWidget):
@@ -205,6 +207,7 @@ class ProblemList(QTreeView):
     def prepare_columns(self) -> None:
         """Once the model is there, let problems have what room is left."""
         header = self.header()
+        header.setResizeContentsPrecision(MEASURED)
         header.setStretchLastSection(False)
         header.setSectionResizeMode(WHAT, QHeaderView.ResizeMode.Stretch)
         for column in GRANTED:
