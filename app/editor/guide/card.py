@@ -50,9 +50,8 @@ class Guide(QFrame):
         self._over = over
         self._studio = window.studio
         self.step = 0
-        self._wanted: int | None = (
-            None  # the step to begin at, while the user is asked whether to leave a project
-        )
+        # The step to begin at, while the user is asked whether to leave a project.
+        self._wanted: int | None = None
         self._picked, self._from_tick = "", 0
         self._stopped = False  # at the moment that the step is about
         self.setObjectName("guide")
