@@ -24,8 +24,9 @@ from ..engine.experiments.report import (
     markdown,
     words_in_arms,
 )
-from ..engine.experiments.runner import Progress, carry_out
+from ..engine.experiments.runner import Controls, Progress, carry_out
 from ..engine.experiments.store import Results, ResultsError
+from ..engine.interrupts import noted_interrupts
 from .console import PROGRAM, progress, say, show, show_json, show_table
 from .exits import DONE, FELL_SHORT, INTERRUPTED
 from .opening import Opened, open_project
@@ -124,23 +125,27 @@ def _make_runs(request: Request, opened: Opened, experiment: Experiment, results
         say(f"{counted(there, 'run')} of {total} are there already, in {results.path}")
     if there == total:
         return True
-    with progress(f"Running {experiment.name}", total) as advance:
+    controls = Controls()
+    with (
+        noted_interrupts() as interrupts,
+        progress(f"Running {experiment.name}", total) as advance,
+    ):
 
         def tell(now: Progress) -> None:
             advance(now.share * total)
+            if interrupts.came:
+                controls.cancel()
 
-        try:
-            return carry_out(
-                opened.project,
-                opened.scenario,
-                experiment,
-                results,
-                request.jobs or cores(),
-                tell,
-                notice=say,
-            )
-        except KeyboardInterrupt:
-            return False
+        return carry_out(
+            opened.project,
+            opened.scenario,
+            experiment,
+            results,
+            request.jobs or cores(),
+            tell=tell,
+            controls=controls,
+            notice=say,
+        )
 
 
 # --------------------------------------------------------------------------------------------------------- output

@@ -7,15 +7,15 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, MutableSequence, Sequence
+from collections.abc import Callable, MutableSequence, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context, parent_process
 
 from ..engine.cores import cores
+from ..engine.interrupts import Interrupts, deaf_processes, noted_interrupts
 from ..engine.runs import RunResult, start_engine
 from ..sim.reference import ReferenceEngine
 from .console import Advance, say
@@ -120,24 +120,22 @@ def _gathered(
 ) -> Made:
     """Wait for all runs, or stop them; when this returns or raises, nothing runs any more."""
     futures: list[Future[RunResult]] = []
-    interrupted = False
-    try:
-        with _held_interrupts():
-            futures += [pool.submit(make, index, plan) for index, plan in enumerate(plans)]
-        _watch(futures, lambda: advance(sum(board[:-1])))
-    except KeyboardInterrupt:
-        interrupted = True
-    finally:
-        board[-1] = 1
-        pool.shutdown(wait=True, cancel_futures=True)
-    made = [_result(future, plan) for future, plan in zip(futures, plans, strict=False)]
-    return made + [None] * (len(plans) - len(made)), interrupted
+    with noted_interrupts() as interrupts:
+        try:
+            with deaf_processes():
+                futures += [pool.submit(make, index, plan) for index, plan in enumerate(plans)]
+            _watch(futures, lambda: advance(sum(board[:-1])), interrupts)
+        finally:
+            board[-1] = 1
+            pool.shutdown(wait=True, cancel_futures=True)
+    made = [_result(future, plan) for future, plan in zip(futures, plans, strict=True)]
+    return made, interrupts.came
 
 
-def _watch(futures: Sequence[Future[RunResult]], glance: Callable[[], None]) -> None:
-    """Wait for all, looking now and then. The first error of a run is raised."""
+def _watch(futures: Sequence[Future[RunResult]], glance: Callable[[], None], interrupts: Interrupts) -> None:
+    """Wait for all, or until the user interrupts, looking now and then. The first error of a run is raised."""
     running = set(futures)
-    while running:
+    while running and not interrupts.came:
         done, running = wait(running, GLANCE)
         for future in done:
             if not isinstance(future.exception(), BrokenProcessPool):
@@ -181,18 +179,3 @@ def _end_with_parent() -> None:
 
 def _made_in_worker(index: int, plan: Plan) -> RunResult:
     return _made(*_work, index, plan)
-
-
-@contextmanager
-def _held_interrupts() -> Iterator[None]:
-    """Ctrl-C comes at the end of this. Processes that are started meanwhile never hear of it."""
-    heard: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        signal.signal(signal.SIGINT, before)
-    if heard:
-        raise KeyboardInterrupt

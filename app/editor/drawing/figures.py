@@ -13,6 +13,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from ...core.errors import UnderstudyError
+from ...engine.interrupts import deaf_processes, noted_interrupts
 from .curves import Chart
 
 #: File endings that can be drawn.
@@ -120,11 +121,18 @@ def draw(figure: Figure | Chart, path: Path, *, dark: bool = False) -> None:
 
 def _painted(figure: Figure | Chart, ending: str, *, dark: bool) -> bytes:
     """The content of the file, made in a process of its own: Qt ends the process that it cannot start in."""
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as process:
+    with (
+        noted_interrupts() as interrupts,
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as process,
+    ):
         try:
-            content, problem = process.submit(_paint, figure, ending, dark).result()
+            with deaf_processes():
+                painting = process.submit(_paint, figure, ending, dark)
+            content, problem = painting.result()
         except BrokenProcessPool:
             content, problem = b"", "Qt could not start"
+    if interrupts.came:
+        raise KeyboardInterrupt
     if problem:
         raise FigureError(f"no picture: {problem}; `understudy doctor` says how to mend it")
     return content

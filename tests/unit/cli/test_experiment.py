@@ -1,6 +1,7 @@
 """``understudy experiment`` in this process: what it prints, writes and refuses."""
 
 import json
+import signal
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from app.editor.drawing.experiment_chart import chart_of
 from app.editor.drawing.figures import FigureError
 from app.engine.experiments.findings import Findings, findings
 from app.engine.experiments.plan import Design, Experiment, Panel
-from app.engine.experiments.runner import carry_out
+from app.engine.experiments.runner import Progress, carry_out
 from app.engine.experiments.store import Results
 from tests.unit.cli.foraging import stored
 from tests.unit.engine.experiments.small import boxes, document, experiment, factor, row, written
@@ -80,21 +81,26 @@ def test_interrupted_it_says_how_to_go_on_and_does(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*arguments: Any, **more: Any) -> bool:
-        arguments = (*arguments[:5], lambda now: stop() if now.done else None)
-        return carry_out(*arguments, **more)
+        def tell_and_press(now: Progress) -> None:
+            if now.done:
+                signal.raise_signal(signal.SIGINT)
+                said.append("is not torn out of what it is doing")
+            more["tell"](now)
 
-    def stop() -> None:
-        raise KeyboardInterrupt
+        return carry_out(*arguments, **more | {"tell": tell_and_press})
+
+    said: list[str] = []
 
     monkeypatch.setattr(verb, "carry_out", interrupted)
     assert main(["experiment", str(folder), "small", "--jobs", "1"]) == 130
+    assert said == ["is not torn out of what it is doing"]
     assert "1 run of 4 are kept; the same command goes on" in capsys.readouterr().err
     monkeypatch.undo()
     monkeypatch.setattr(verb, "draw", lambda *_, **__: None)
     assert main(["experiment", str(folder), "small", "--json"]) == 0
-    said, told = capsys.readouterr()
+    out, told = capsys.readouterr()
     assert "1 run of 4 are there already" in told
-    assert [arm["runs"] for arm in json.loads(said)["arms"]] == [2, 2]
+    assert [arm["runs"] for arm in json.loads(out)["arms"]] == [2, 2]
 
 
 def test_a_figure_that_cannot_be_drawn_costs_nothing_else(

@@ -1,5 +1,6 @@
 """What figures promise without drawing: formats, and errors that say what is missing."""
 
+import signal
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 from typing import Self
@@ -11,6 +12,23 @@ from app.editor.drawing.figures import Figure, FigureError, Series, draw, refuse
 from app.editor.palette import DARK, LIGHT, OKABE_ITO, Palette
 
 FIGURE = Figure("t", "s", "x", "y", (Series("a", 0, (0.0, 1.0), (0.0, 1.0)),))
+
+
+class Process:
+    """A painter that no process stands behind."""
+
+    def __init__(self, *_: object, **__: object) -> None: ...
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def submit(self, *_: object) -> "Process":
+        return self
+
+    def result(self) -> tuple[bytes, str]:
+        return b"", "Qt cannot be loaded (libEGL.so.1: cannot open shared object file)"
 
 
 @pytest.mark.parametrize("name", ["x.png", "x.SVG", "x.pdf"])
@@ -34,20 +52,6 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path, monkeypatch: pyt
 def test_a_qt_that_cannot_be_loaded_is_told_with_what_is_missing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    class Process:
-        def __init__(self, *_: object, **__: object) -> None: ...
-
-        def __enter__(self) -> Self:
-            return self
-
-        def __exit__(self, *_: object) -> None: ...
-
-        def submit(self, *_: object) -> "Process":
-            return self
-
-        def result(self) -> tuple[bytes, str]:
-            return b"", "Qt cannot be loaded (libEGL.so.1: cannot open shared object file)"
-
     monkeypatch.setattr(figures, "ProcessPoolExecutor", Process)
     with pytest.raises(FigureError, match=r"libEGL\.so\.1.*understudy doctor"):
         draw(FIGURE, tmp_path / "x.png")
@@ -84,3 +88,25 @@ def test_the_first_lines_of_a_chart_stand_out_and_are_told_apart_by_the_color_bl
     assert set(palette.lines) <= set(OKABE_ITO)
     assert len(set(palette.lines)) == len(palette.lines)
     assert all(contrast(color, palette.panel) >= 3 for color in palette.lines[:3])
+
+
+def test_ctrl_c_is_heeded_once_the_painter_is_done_which_never_hears_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    masked: list[bool] = []
+
+    class Pressed(Process):
+        def submit(self, *_: object) -> Process:
+            masked.append(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ()))
+            return self
+
+        def result(self) -> tuple[bytes, str]:
+            signal.raise_signal(signal.SIGINT)
+            masked.append(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ()))
+            return b"content", ""
+
+    monkeypatch.setattr(figures, "ProcessPoolExecutor", Pressed)
+    with pytest.raises(KeyboardInterrupt):
+        draw(FIGURE, tmp_path / "x.png")
+    assert masked == [True, False]
+    assert not (tmp_path / "x.png").exists()
