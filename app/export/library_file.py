@@ -20,7 +20,8 @@ from ..core.storage.convert_project import (
     project_value,
 )
 from ..core.storage.problems import of_document, reason
-from ..core.storage.schema import AutomatonRecord, ExamplesRecord, ProjectRecord
+from ..core.storage.project_schema import ExamplesRecord, ProjectRecord
+from ..core.storage.schema import AutomatonRecord
 from ..core.storage.text import TextError, parsed, written
 
 #: What the first key of such a file says.

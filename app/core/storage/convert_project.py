@@ -9,7 +9,7 @@ from ..hierarchy import Hierarchy, Node
 from ..library import NodeType
 from ..project import Arm, Demonstration, LevelTable, Pick, Positions, Project
 from .convert import Document, state_document, state_value
-from .schema import (
+from .project_schema import (
     ArmRecord,
     DemonstrationRecord,
     ExampleRecord,

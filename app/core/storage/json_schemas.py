@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from .fields import Record
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .project_schema import DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .schema import AutomatonRecord
 from .text import written
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

@@ -7,7 +7,8 @@ from .fields import Record
 from .migrations import PROJECT_FILE
 from .moments import DIGITS
 from .names import MOMENTS
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .project_schema import DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .schema import AutomatonRecord
 
 LIBRARIES, EXAMPLES, LAYOUTS, DEMONSTRATIONS = "libraries", "examples", "layouts", "demonstrations"
 #: Folders that have a folder for each node type.

@@ -27,7 +27,8 @@ from .migrations import PROJECT_FILE, Documents, VersionError, migrated
 from .moments import Moments, hash_of
 from .names import type_name_problem
 from .problems import FilesError, Problem, of_document, reason
-from .schema import AutomatonRecord, DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .project_schema import DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
+from .schema import AutomatonRecord
 from .text import TextError, parsed
 
 R = TypeVar("R", bound=Record)

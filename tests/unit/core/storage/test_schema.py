@@ -13,7 +13,7 @@ from app.core.features import FeatureUse, FlagUp, Sense, Statistic
 from app.core.hierarchy import Node
 from app.core.library import NodeType
 from app.core.project import Arm, Demonstration, LevelTable, Pick, Project
-from app.core.storage import schema
+from app.core.storage import project_schema, schema
 from app.core.storage.fields import Record
 from app.core.storage.tree_schema import TreeRecord
 from app.core.tree import FlatTree
@@ -34,13 +34,13 @@ PAIRS: dict[Any, type[Record]] = {
     AtMost: schema.AtMostRecord,
     Equals: schema.EqualsRecord,
     InArc: schema.InArcRecord,
-    Example: schema.ExampleRecord,
-    Demonstration: schema.DemonstrationRecord,
-    Pick: schema.PickRecord,
-    NodeType: schema.NodeTypeRecord,
-    Node: schema.NodeRecord,
-    Arm: schema.ArmRecord,
-    LevelTable: schema.TableRecord,
+    Example: project_schema.ExampleRecord,
+    Demonstration: project_schema.DemonstrationRecord,
+    Pick: project_schema.PickRecord,
+    NodeType: project_schema.NodeTypeRecord,
+    Node: project_schema.NodeRecord,
+    Arm: project_schema.ArmRecord,
+    LevelTable: project_schema.TableRecord,
 }
 #: What only the form has: which of several it is, and whether a test must hold.
 FORM = {"kind", "wanted"}
@@ -53,7 +53,7 @@ def test_every_field_of_a_value_has_a_place_on_disk(value: Any) -> None:
 
 def test_every_part_of_a_project_has_a_place_on_disk() -> None:
     elsewhere = {"libraries", "examples", "moments", "layouts"}
-    stored = set(schema.ProjectRecord.model_fields) - {"schema_version"}
+    stored = set(project_schema.ProjectRecord.model_fields) - {"schema_version"}
     assert {field.name for field in fields(Project)} == stored | elsewhere
 
 
