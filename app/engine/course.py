@@ -22,6 +22,7 @@ from .learning import Answer, InlineLearner, Learner, Question
 from .lesson import Lesson
 from .live_world import LiveWorld
 from .models import Models
+from .plan import deleted
 from .runs import Treatment, start_engine, treatment
 from .snapshots import (
     Asked,
@@ -327,12 +328,12 @@ class Course:
             return  # only examples have changed: nobody does anything else
         self._models.use(project)
         try:
-            self._rebase()
+            self._rebase(old)
         except UnderstudyError as error:
             self.fail(f"the world cannot go on with the changed project: {error}")
         world.changed()
 
-    def _rebase(self) -> None:
+    def _rebase(self, old: Project) -> None:
         machine, types = self._world.engine.machine, self.project.types_with(self._scenario.vocabulary)
         before = views(machine)
         did = rebase(machine, types, self._models.classifiers)
@@ -346,9 +347,10 @@ class Course:
             try:
                 self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]
             except UnderstudyError as error:
+                why = deleted(self._lesson.plan, old, self.project) or error
                 self._run_arm()
                 self._clock.pause()
-                self._events.append(Interrupted(f"the lesson is over: {error}"))
+                self._events.append(Interrupted(f"the lesson is over: {why}"))
 
     def _run_arm(self) -> None:
         """Nobody is taught any more: the arm runs, from the beginning of its behavior."""

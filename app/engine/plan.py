@@ -7,6 +7,7 @@ from ..core.automaton import Automaton
 from ..core.errors import SessionError
 from ..core.hierarchy import Hierarchy, Node
 from ..core.machine import Machine
+from ..core.project import Project
 from .commands import Others, Teach
 
 #: How many names a message lists before it says how many more there are.
@@ -52,6 +53,14 @@ def _check_arguments(machine: Machine, plan: Teach) -> None:
 def automaton_of(machine: Machine, plan: Teach) -> Automaton:
     """The automaton that is taught."""
     return machine.types.library(plan.type).get(plan.automaton)
+
+
+def deleted(plan: Teach, before: Project, now: Project) -> str:
+    """That what is taught was deleted, and how it comes back; empty if it is still there."""
+    gone = before.library(plan.type).automata.get(plan.automaton)
+    if gone is None or plan.automaton in now.library(plan.type).automata:
+        return ""
+    return f"{gone.name} was deleted; undo brings it back"
 
 
 def is_taught_one(run: Run | None, plan: Teach) -> bool:

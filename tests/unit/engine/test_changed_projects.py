@@ -179,10 +179,7 @@ def test_deleting_the_behavior_that_is_taught_ends_the_lesson_and_pauses() -> No
     driver.listen()
     driver.edit(delete_automaton, AGENT, "Shuttle")
     assert (driver.mode, driver.session.playing) == (Mode.RUNNING, False)
-    assert (
-        driver.interruptions[-1] == "the lesson is over: there is no behavior with the id 'Shuttle'; there "
-        "are: Seek, Signal, Stroll"
-    )
+    assert driver.interruptions[-1] == "the lesson is over: Shuttle was deleted; undo brings it back"
     assert "nothing is being taught" in driver.refused(UndoPick())
 
 
