@@ -78,7 +78,8 @@ def with_verb(given: Sequence[str], names: Collection[str]) -> list[str]:
         return list(given)
     if not first or first.startswith("-") or os.sep in first or Path(first).suffix or Path(first).exists():
         return [STUDIO, *given]
-    raise ParameterError(unknown("verb", first, [name for name in names if name != STUDIO]))
+    there_is = unknown("verb", first, [name for name in names if name != STUDIO])
+    raise ParameterError(f"there is no folder {first!r}, and {there_is}")
 
 
 def _usage(error: typer.TyperException) -> str:

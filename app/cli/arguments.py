@@ -12,12 +12,19 @@ def examples(*lines: str) -> str:
     return "\n".join(("Examples:\n", *lines))
 
 
-def at_least(least: int) -> Callable[[int | None], int | None]:
+#: The longest run, and the most runs, that can be asked for: more than anybody waits for.
+MOST_TICKS = 1_000_000_000
+MOST_RUNS = 1_000_000
+
+
+def between(least: int, most: int | None = None) -> Callable[[int | None], int | None]:
     """A check of a whole number, if there is one, that says what is allowed and what was found."""
 
     def checked(value: int | None) -> int | None:
         if value is not None and value < least:
             raise typer.BadParameter(f"it must be {least} or more, but it is {value}")
+        if value is not None and most is not None and value > most:
+            raise typer.BadParameter(f"it must be {most} or less, but it is {value}")
         return value
 
     return checked
@@ -39,12 +46,12 @@ Picture = Annotated[
 ]
 Dark = Annotated[bool, typer.Option("--dark", help="Draw it on a dark ground.")]
 Seed = Annotated[
-    int, typer.Option(callback=at_least(0), help="Settles chance; further runs take the seeds after it.")
+    int, typer.Option(callback=between(0), help="Settles chance; further runs take the seeds after it.")
 ]
 Jobs = Annotated[
     int | None,
     typer.Option(
-        callback=at_least(1),
+        callback=between(1),
         help="Runs at a time.",
         show_default="one a core",
     ),

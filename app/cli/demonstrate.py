@@ -27,7 +27,8 @@ def demonstrate_project(
 ) -> int:
     """Play demonstrations, and save what they record or say where it differs from what is stored."""
     opened = open_project(folder, trust=trust)
-    only = named_behaviors(opened.project, words) if words else None
+    demonstrated = {(d.type, d.automaton) for d in opened.project.demonstrations}
+    only = named_behaviors(opened.project, words, demonstrated) if words else None
     played = chosen(opened.project, only)
     project = play(opened, only)
     differing = differences(project, folder) if only_check else ()

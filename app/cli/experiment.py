@@ -24,7 +24,7 @@ from ..engine.experiments.report import (
     markdown,
     words_in_arms,
 )
-from ..engine.experiments.runner import Controls, Progress, carry_out
+from ..engine.experiments.runner import Controls, carry_out
 from ..engine.experiments.store import Results, ResultsError
 from ..engine.interrupts import noted_interrupts
 from .console import PROGRAM, progress, say, show, show_json, show_table
@@ -125,25 +125,15 @@ def _make_runs(request: Request, opened: Opened, experiment: Experiment, results
         say(f"{counted(there, 'run')} of {total} are there already, in {results.path}")
     if there == total:
         return True
-    controls = Controls()
-    with (
-        noted_interrupts() as interrupts,
-        progress(f"Running {experiment.name}", total) as advance,
-    ):
-
-        def tell(now: Progress) -> None:
-            advance(now.share * total)
-            if interrupts.came:
-                controls.cancel()
-
+    with noted_interrupts() as interrupts, progress(f"Running {experiment.name}", total) as advance:
         return carry_out(
             opened.project,
             opened.scenario,
             experiment,
             results,
             request.jobs or cores(),
-            tell=tell,
-            controls=controls,
+            tell=lambda now: advance(now.share * total),
+            controls=Controls(stopped=lambda: interrupts.came),
             notice=say,
         )
 

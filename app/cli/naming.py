@@ -1,6 +1,6 @@
 """Behaviors as the user names them: ``Goto``, or ``agent/Goto`` where several types have one."""
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 
 from ..core.errors import LibraryError
 from ..core.project import Project
@@ -10,8 +10,14 @@ from .wording import unknown
 Where = tuple[str, str]
 
 
-def named_behaviors(project: Project, words: Sequence[str]) -> list[Where]:
+def named_behaviors(
+    project: Project, words: Sequence[str], fitting: Container[Where] | None = None
+) -> list[Where]:
     """What the *words* name, each once, in their order; a bare name means the behaviors of all types called so.
+
+    Args:
+        fitting: Those that something can be done with. Where a bare name means several and some of them are among these,
+            only they are meant: the hand-written Wander of another type has nothing to learn from.
 
     Raises:
         LibraryError: A word names none; the message says which there are.
@@ -22,7 +28,8 @@ def named_behaviors(project: Project, words: Sequence[str]) -> list[Where]:
         meant = [where for name, where in by_name.items() if word in (name, name.split("/", maxsplit=1)[1])]
         if not meant:
             raise LibraryError(unknown("behavior", word, by_name))
-        found |= dict.fromkeys(meant)
+        fit = meant if fitting is None else [where for where in meant if where in fitting]
+        found |= dict.fromkeys(fit or meant)
     return list(found)
 
 

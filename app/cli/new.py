@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from ..core.errors import ScenarioError
+from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Project
 from ..core.storage import save
 from ..engine.fresh import AGENTS, fresh_project, refuse_folder
@@ -41,6 +41,25 @@ def document(project: Project, folder: Path) -> dict[str, Any]:
     }
 
 
-def show_scenarios() -> None:
+def refuse_incomplete(folder: Path | None, scenario_name: str | None) -> tuple[Path, str]:
+    """What was asked for, where both were.
+
+    Raises:
+        ParameterError: The folder or the scenario was not named.
+    """
+    if folder is None:
+        raise ParameterError(f"{PROGRAM} new: name the folder, DIR, that the project is to be in")
+    if scenario_name is None:
+        raise ParameterError(
+            f"{PROGRAM} new: name the world that its agents live in: --scenario {' or '.join(names())}"
+        )
+    return folder, scenario_name
+
+
+def show_scenarios(*, as_json: bool) -> int:
     """What `--scenario` can be."""
-    show_table(("scenario", "what it is"), [(name, shipped(name).doc) for name in names()], words=2)
+    if as_json:
+        show_json({"scenarios": [{"name": name, "doc": shipped(name).doc} for name in names()]})
+    else:
+        show_table(("scenario", "what it is"), [(name, shipped(name).doc) for name in names()], words=2)
+    return DONE

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ..core.check import refuse
+from ..core.check import refuse, refuse_top
 from ..core.errors import ParameterError, StorageError
 from ..core.project import Arm, Project, Value
 from ..editor.drawing.figures import Figure, FigureError, draw, refuse_format
@@ -119,6 +119,8 @@ def seeds(request: Request) -> range:
 def checked(request: Request, opened: Opened, arm: Arm, settings: Mapping[str, Value]) -> Treatment:
     """What every run is; what is wrong with it is known before any of them is made."""
     settled = treatment(opened.project, opened.scenario, arm, settings, request.top)
+    if request.top is not None:
+        refuse_top(opened.project, opened.scenario.vocabulary, settled.arm, f"--top {request.top}")
     refuse(_with_arm(opened.project, settled.arm), opened.scenario.vocabulary, arm.name)
     return settled
 

@@ -40,8 +40,14 @@ def learned_from(opened: Opened, words: Sequence[str]) -> Learned:
     Raises:
         UnderstudyError: A word names no behavior, or one that has nothing to learn from.
     """
-    only = named_behaviors(opened.project, words) if words else None
     project, vocabulary = opened.project, opened.scenario.vocabulary
+    with_examples = {
+        (name, automaton)
+        for name, by_id in project.examples.items()
+        for automaton, examples in by_id.items()
+        if examples
+    }
+    only = named_behaviors(project, words, with_examples) if words else None
     with nothing_changes(), progress("Learning", 1.0) as advance:
         return learn(project, vocabulary, only, lambda done, _: advance(done), cross_validate=True)
 

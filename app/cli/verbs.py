@@ -7,6 +7,8 @@ import typer
 
 from .. import __version__
 from .arguments import (
+    MOST_RUNS,
+    MOST_TICKS,
     Behaviors,
     Dark,
     Jobs,
@@ -15,7 +17,7 @@ from .arguments import (
     ProjectFolder,
     Seed,
     Trust,
-    at_least,
+    between,
     examples,
 )
 from .console import PROGRAM, show
@@ -36,14 +38,6 @@ def _version(wanted: bool) -> None:
         raise typer.Exit
 
 
-def _scenarios(wanted: bool) -> None:
-    if wanted:
-        from .new import show_scenarios
-
-        show_scenarios()
-        raise typer.Exit
-
-
 @verbs.callback(
     invoke_without_command=True,
     subcommand_metavar="[PROJECT | VERB ...]",
@@ -54,6 +48,7 @@ def _scenarios(wanted: bool) -> None:
         "understudy run projects/foraging    run a project's first arm",
         "understudy train projects/foraging  learn again from stored examples",
         "understudy VERB --help              more about a verb",
+        "understudy --headless --help        more about what can be given without one",
     ),
 )
 def program(
@@ -70,10 +65,15 @@ def program(
 
 @verbs.command(STUDIO, hidden=True)
 def studio(
-    project: Annotated[Path | None, typer.Argument(metavar="PROJECT")] = None,
+    project: Annotated[
+        Path | None,
+        typer.Argument(metavar="PROJECT", help="Its folder.", show_default="the foraging project"),
+    ] = None,
     picture: Picture = None,
     dark: Dark = False,
-    ticks: Annotated[int, typer.Option(callback=at_least(1), help="How long each run takes.")] = 20_000,
+    ticks: Annotated[
+        int, typer.Option(callback=between(1, MOST_TICKS), help="How long each run takes.")
+    ] = 20_000,
     seed: Seed = 1,
     trust: Trust = False,
     headless: Annotated[
@@ -102,18 +102,18 @@ def studio(
 )
 def new(
     folder: Annotated[
-        Path, typer.Argument(metavar="DIR", help="A folder that does not exist yet, or is empty.")
-    ],
-    scenario: Annotated[str, typer.Option(help="The world that its agents live in.")],
+        Path | None, typer.Argument(metavar="DIR", help="A folder that does not exist yet, or is empty.")
+    ] = None,
+    scenario: Annotated[str | None, typer.Option(help="The world that its agents live in.")] = None,
     as_json: Json = False,
-    scenarios: Annotated[  # noqa: ARG001 - its callback does the work
-        bool, typer.Option("--list", callback=_scenarios, is_eager=True, help="List the scenarios.")
-    ] = False,
+    scenarios: Annotated[bool, typer.Option("--list", help="List the scenarios instead.")] = False,
 ) -> int:
     """Make a new project: fifty agents in a scenario, and no behaviors yet."""
-    from .new import make_project
+    from .new import make_project, refuse_incomplete, show_scenarios
 
-    return make_project(folder, scenario, as_json=as_json)
+    if scenarios:
+        return show_scenarios(as_json=as_json)
+    return make_project(*refuse_incomplete(folder, scenario), as_json=as_json)
 
 
 @verbs.command(
@@ -168,10 +168,13 @@ def run(
         str | None, typer.Option(metavar="BEHAVIOR", help="What every root runs.", show_default="the arm's")
     ] = None,
     ticks: Annotated[
-        int, typer.Option(callback=at_least(1), help="How long a run takes; 60 ticks are a second at 1x.")
+        int,
+        typer.Option(
+            callback=between(1, MOST_TICKS), help="How long a run takes; 60 ticks are a second at 1x."
+        ),
     ] = 10_000,
     seed: Seed = 1,
-    runs: Annotated[int, typer.Option(callback=at_least(1), help="How many runs.")] = 1,
+    runs: Annotated[int, typer.Option(callback=between(1, MOST_RUNS), help="How many runs.")] = 1,
     settings: Annotated[
         list[str] | None,
         typer.Option(
@@ -272,7 +275,7 @@ def experiment(
     runs: Annotated[
         int | None,
         typer.Option(
-            callback=at_least(1),
+            callback=between(1),
             help="How many runs an arm.",
             show_default="the experiment's",
         ),
@@ -280,7 +283,7 @@ def experiment(
     ticks: Annotated[
         int | None,
         typer.Option(
-            callback=at_least(1),
+            callback=between(1, MOST_TICKS),
             help="How long a run takes.",
             show_default="the experiment's",
         ),
@@ -289,7 +292,10 @@ def experiment(
     out: Annotated[
         Path | None,
         typer.Option(
-            metavar="DIR", help="Where results, report and figures go.", show_default="PROJECT/results"
+            metavar="DIR",
+            help="Where results, report and figures go.",
+            show_default="PROJECT/results",
+            file_okay=False,
         ),
     ] = None,
     dark: Dark = False,

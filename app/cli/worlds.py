@@ -14,9 +14,11 @@ from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context, parent_process
 
+from ..engine.compiling import compile_ahead
 from ..engine.cores import cores
 from ..engine.interrupts import Interrupts, deaf_processes, noted_interrupts
-from ..engine.runs import RunResult, start_engine
+from ..engine.runs import RunResult, Treatment, start_engine
+from ..sim.engines import REFERENCE
 from ..sim.reference import ReferenceEngine
 from .console import Advance, say
 from .exits import FELL_SHORT
@@ -76,8 +78,19 @@ def make_ready(shop: Workshop, plans: Sequence[Plan]) -> bool:
         Whether all arms run compiled.
     """
     arms = {plan.arm.name: plan for plan in plans}.values()
+    _compile([shop.settled(plan) for plan in arms])
     engines = [start_engine(shop.settled(plan), plan.seed, notice=say) for plan in arms]
     return not any(isinstance(engine, ReferenceEngine) for engine in engines)
+
+
+def _compile(treatments: Sequence[Treatment]) -> None:
+    """Have all kernels compiled in a process of its own: raised halfway into a compiler, Ctrl-C may get lost."""
+    with noted_interrupts() as interrupts:
+        for of in treatments:
+            if of.engine != REFERENCE and not interrupts.came:
+                compile_ahead(of.scenario, of.physics, say, lambda: interrupts.came)
+    if interrupts.came:
+        raise KeyboardInterrupt
 
 
 def worthwhile(plans: Sequence[Plan], cores: int, *, compiled: bool) -> int:

@@ -6,11 +6,13 @@ names them; the form of files on disk is its business, the parameters of a scena
 """
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from ..errors import UnderstudyError
 from ..library import Types
-from ..project import Project
+from ..project import Arm, Project
 from ..vocabulary import Vocabulary
+from .arms import top_problems
 from .checker import Checker, types_of
 from .problem import PROJECT_FILE, Problem, Severity, automaton_file, demonstration_file, examples_file, place
 from .reach import Where, in_use
@@ -26,6 +28,7 @@ __all__ = [
     "examples_file",
     "in_use",
     "refuse",
+    "refuse_top",
 ]
 
 #: As many as a user reads; the rest are counted.
@@ -57,6 +60,16 @@ def refuse(
     kinds = {problem.raises for problem in errors}
     kind = kinds.pop() if len(kinds) == 1 else UnderstudyError
     raise kind(_told(errors))
+
+
+def refuse_top(project: Project, vocabulary: Vocabulary, arm: Arm, where: str) -> None:
+    """Raise an error if the roots of *arm* cannot start with its behavior, which was named at *where*.
+
+    Raises:
+        UnderstudyError: They cannot.
+    """
+    for problem in top_problems(0, arm, types_of(project, vocabulary)):
+        raise problem.raises(str(replace(problem, file="", where=where)))
 
 
 def _told(errors: list[Problem]) -> str:

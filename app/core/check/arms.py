@@ -43,7 +43,16 @@ def _forest_problems(index: int, arm: Arm, types: Types) -> Iterator[Problem]:
         where = place("arms", index, "hierarchy") + (f", node {node_id!r}" if written and node_id else "")
         who = f"arm {arm.name!r}, node {node_id!r}" if node_id else f"arm {arm.name!r}"
         yield Problem(PROJECT_FILE, where, f"{who}: {message}", raises=HierarchyError)
-    for root_type in dict.fromkeys(root.type for root in forest.roots):
+    yield from top_problems(index, arm, types)
+
+
+def top_problems(index: int, arm: Arm, types: Types) -> Iterator[Problem]:
+    """What keeps the roots of an arm from starting with its behavior.
+
+    Raises:
+        HierarchyError: The arm has no forest.
+    """
+    for root_type in dict.fromkeys(root.type for root in _outline(arm).roots):
         if root_type in types.types:
             yield from _top_problems(index, arm, root_type, types)
 

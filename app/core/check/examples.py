@@ -8,6 +8,7 @@ from ..automaton import START
 from ..edits import disable_examples
 from ..errors import ExampleError
 from ..examples import Example
+from ..naming import shown_state
 from ..project import Project
 from .problem import Problem, Severity, allowed, examples_file, place
 from .scope import Scope, Subject
@@ -55,6 +56,8 @@ def example_problems(subject: Subject, examples: tuple[Example, ...]) -> Iterato
             message = "it leads to Start, where only a raised flag leads"
             yield _problem(subject, example, place("examples", index, "label"), message, "error")
     yield from _unmeasured(subject, examples, features)
+    if not features:
+        yield from _not_told_apart(subject, examples)
 
 
 def _problem(subject: Subject, example: Example, where: str, message: str, severity: Severity) -> Problem:
@@ -85,3 +88,21 @@ def _unmeasured(subject: Subject, examples: tuple[Example, ...], features: set[s
         )
         file = examples_file(subject.scope.type.name, subject.automaton.id)
         yield Problem(file, "examples", message, "warning", raises=ExampleError)
+
+
+def _not_told_apart(subject: Subject, examples: tuple[Example, ...]) -> Iterator[Problem]:
+    """A warning if examples of what looks at nothing go from one state to several: then chance decides where to."""
+    automaton, library = subject.automaton, subject.scope.library
+    goes: dict[str, dict[str, None]] = {}
+    for example in examples:
+        if example.enabled:
+            goes.setdefault(example.source, {})[example.label] = None
+    for source, labels in goes.items():
+        if len(labels) > 1:
+            choices = " or ".join(shown_state(automaton, label, library) for label in labels)
+            message = (
+                f"{automaton.name} looks at nothing, so chance decides in {shown_state(automaton, source, library)}: {choices}; "
+                "its settings say, under Features, what it may look at, also after it was taught"
+            )
+            yield subject.warning("features", message)
+            return

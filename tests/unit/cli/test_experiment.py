@@ -124,7 +124,7 @@ def test_a_figure_that_cannot_be_drawn_costs_nothing_else(
         (["small", "--runs", "0"], "it must be 1 or more, but it is 0"),
         (["small", "--runs", "1000001"], "at most 1,000,000 runs an arm"),
         (["small", "--jobs", "0"], "it must be 1 or more, but it is 0"),
-        (["small", "--out", "FILE"], "cannot be written"),
+        (["small", "--out", "FILE"], "is a file"),
     ],
 )
 def test_bad_input_is_refused_before_anything_runs(

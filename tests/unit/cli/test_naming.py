@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from app.cli.naming import all_behaviors, named_behaviors
@@ -14,6 +16,15 @@ def test_a_bare_name_means_the_behavior_of_whatever_type_has_it() -> None:
 
 def test_a_type_can_be_named_too() -> None:
     assert named_behaviors(project(), ["agent/Wander"]) == [("agent", "Wander")]
+
+
+def test_a_bare_name_means_those_that_something_can_be_done_with_if_there_are_any() -> None:
+    made = project()
+    libraries = {**made.libraries, "group": made.library("agent")}
+    both = replace(made, libraries=libraries)
+    assert named_behaviors(both, ["Goto"]) == [("agent", "Goto"), ("group", "Goto")]
+    assert named_behaviors(both, ["Goto"], {("group", "Goto")}) == [("group", "Goto")]
+    assert named_behaviors(both, ["agent/Goto"], {("group", "Goto")}) == [("agent", "Goto")]
 
 
 def test_a_behavior_that_is_named_twice_is_taken_once() -> None:

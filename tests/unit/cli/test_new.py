@@ -60,6 +60,23 @@ def test_scenarios_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(name in out for name in names())
 
 
+def test_scenarios_are_listed_for_programs_too(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["new", "--list", "--json"]) == 0
+    listed = json.loads(capsys.readouterr().out)["scenarios"]
+    assert [one["name"] for one in listed] == list(names())
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [([], "name the folder"), (["somewhere"], "--scenario foraging")],
+)
+def test_what_is_missing_is_asked_for(
+    typed: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["new", *typed]) == 2
+    assert said in capsys.readouterr().err
+
+
 def test_agents_begin_with_a_behavior_that_goes_on() -> None:
     behaviors = (
         BasicBehavior("Grab", one_shot=True),

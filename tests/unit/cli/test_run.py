@@ -133,8 +133,11 @@ def test_a_stale_behavior_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[
     ("more", "said"),
     [
         (["--arm", "one levl"], "there is no arm 'one levl'"),
+        (["--top", "Forrage"], "understudy: --top Forrage: arm 'independent' starts with 'Forrage', which"),
         (["--top", "Forrage"], "did you mean 'Forage'?"),
-        (["--top", "Goto"], "'target' of Goto is open"),
+        (["--top", "Goto"], "understudy: --top Goto: 'target' of Goto is open"),
+        (["--ticks", "1000000001"], "'--ticks': it must be 1000000000 or less, but it is 1000000001"),
+        (["--runs", "1000001"], "'--runs': it must be 1000000 or less, but it is 1000001"),
         (["--set", "world.bxes=3"], "did you mean 'world.boxes'?"),
         (["--set", "world.boxes=-1"], "boxes must be 0 or more, but it is -1"),
         (["--set", "world.boxes=many"], "boxes takes a whole number, but it is 'many'"),

@@ -23,6 +23,15 @@ def test_a_near_match_is_offered_whatever_its_case_and_prefix(
     assert f"(did you mean {meant!r}?)" in unknown("thing", word, known)
 
 
+def test_what_only_stands_in_the_same_place_is_not_offered() -> None:
+    assert "did you mean" not in unknown("setting", "world.nope", ["world.boxes", "world.width"])
+
+
+def test_names_with_commas_stand_in_quotes() -> None:
+    said = unknown("figure", "x", ["one tick", "one tick, compiled"])
+    assert said.endswith("there are: 'one tick', 'one tick, compiled'")
+
+
 def test_where_there_is_nothing_that_is_said() -> None:
     assert unknown("arm", "x", []).endswith("there are: none")
 
