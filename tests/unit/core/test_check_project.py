@@ -310,6 +310,21 @@ def test_examples_without_a_value_are_counted_with_those_whose_moment_is_stored(
     )
 
 
+def test_what_was_taught_to_choose_but_looks_at_nothing_is_told() -> None:
+    blind = replace(automaton("blind", state("go", "Forward"), state("turn", "Turn")), features=())
+
+    def warned(*pairs: tuple[str, str]) -> list[str]:
+        examples = tuple(Example(str(n), source, label, {}) for n, (source, label) in enumerate(pairs))
+        libraries = {AGENT: Library({"blind": blind})}
+        changed = typed(NodeType(AGENT))
+        changed = replace(changed, libraries=libraries, examples={AGENT: {"blind": examples}})
+        return [p.message for p in check(changed, vocabulary()) if "looks at nothing" in p.message]
+
+    assert not warned((START, "go"), ("go", "go"))
+    (message,) = warned((START, "go"), ("go", "go"), ("go", "turn"))
+    assert message.startswith("blind looks at nothing, so chance decides in go: go or turn;")
+
+
 def test_examples_belong_to_a_behavior() -> None:
     stray = replace(project(), examples={AGENT: {"gogo": (Example("1", START, "x", {}),)}})
     problem = only(stray)
