@@ -1,7 +1,7 @@
 """What every part of the window is given: the document, the engine, the selection, the actions, the looks."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
@@ -45,11 +45,13 @@ class Message:
 
     Attributes:
         answers: What can be done about it: the text of a button, and what it does.
+        holds: Whether it is still so; it goes away once it is not.
     """
 
     text: str
     kind: Kind = Kind.INFO
     answers: tuple[tuple[str, Callable[[], object]], ...] = ()
+    holds: Callable[[], bool] = field(default=lambda: True, compare=False)
 
 
 class Studio(QObject):

@@ -107,10 +107,14 @@ class Files(QObject):
 
     # -------------------------------------------------------------------------------------------- opening
 
-    def open(self, folder: Path, arm: str = "", *, trust: bool = False) -> None:
-        """Open the project in *folder*, after asking what is to become of the one that is open."""
+    def open(self, folder: Path, arm: str = "", *, trust: bool = False, recover: bool = False) -> None:
+        """Open the project in *folder*, after asking what is to become of the one that is open.
+
+        Args:
+            recover: With what a window that is gone had kept of it; otherwise that is asked.
+        """
         folder = folder.parent if folder.name == "project.json" else folder
-        self.leave(lambda: self.opening.open(Wish(folder, arm, trust)))
+        self.leave(lambda: self.opening.open(Wish(folder, arm, trust, recover=recover)))
 
     def choose(self) -> None:
         """Let the user choose a project's folder, and open it."""
@@ -196,10 +200,12 @@ class Files(QObject):
         folder = kept.folder
         openable: Callable[[], object] = partial(self.recover, kept)
         if folder is not None and (folder / "project.json").is_file():
-            openable = partial(self.open, folder)
+            openable = partial(self.open, folder, recover=True)
         text = f"Understudy ended without saving {kept.name or 'a project'}; it was autosaved at {clock(kept.at)}"
         answers = (("Recover", openable), ("Discard", partial(autosaves.discard, kept.private)))
-        self.studio.said.emit(Message(text, Kind.WARNING, answers))
+        self.studio.said.emit(
+            Message(text, Kind.WARNING, answers, holds=lambda: self.held.private != kept.private)
+        )
 
     # --------------------------------------------------------------------------------------------- a new one
 

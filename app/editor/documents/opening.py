@@ -14,6 +14,7 @@ from ...core.project import Project
 from ...core.storage import FilesError, load
 from ...engine.scenarios import OWN_CODE, brings_code, open_scenario
 from ...sim.scenario import Scenario
+from ..studio import Kind, Message
 from . import autosaves, claims
 from .asking import Answer
 from .autosaves import Autosave
@@ -231,9 +232,10 @@ class Opening:
         files.show(held, found.project, scenario, recovered=recovered, arm=wish.arm)
         files.waiting.emit("")
         if not found.writable:
-            files.studio.warn(
-                f"{folder} cannot be written to: what is to be kept goes into another folder",
-                (("Save elsewhere…", files.save_as),),
+            text = f"{folder} cannot be written to: what is to be kept goes into another folder"
+            answers = (("Save elsewhere…", files.save_as),)
+            files.studio.said.emit(
+                Message(text, Kind.WARNING, answers, holds=lambda: files.held.folder == folder)
             )
 
     def _unsound(self, wish: Wish, found: Found, error: UnderstudyError) -> None:

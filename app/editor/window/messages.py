@@ -66,6 +66,7 @@ class MessageBar(QFrame):
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self.dismiss)
         studio.said.connect(self.say)
+        studio.changed.connect(self._drop_what_is_over)
         studio.theme.changed.connect(self._dress)
         self._dress()
         self.hide()
@@ -86,6 +87,12 @@ class MessageBar(QFrame):
             self.window().setFocus()  # rather than whoever comes next, who would take keys that are shortcuts
         self.hide()
         self._next()
+
+    def _drop_what_is_over(self) -> None:
+        """Show no message that does not hold any more."""
+        self._waiting = deque(message for message in self._waiting if message.holds())
+        if self.current is not None and not self.current.holds():
+            self.dismiss()
 
     def _next(self) -> None:
         if not self._waiting:

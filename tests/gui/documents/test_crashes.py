@@ -105,6 +105,21 @@ def test_a_project_that_was_never_saved_is_offered_after_a_crash(
     assert desk.isWindowModified()
 
 
+def test_who_says_at_the_start_that_a_project_is_to_be_recovered_is_not_asked_again(
+    desk: MainWindow, qtbot: QtBot, settings: Settings, folder: Path, small: Project
+) -> None:
+    ours = claims.new_owner()
+    gone = Owner(2**22 + 1, ours.host, "1", ours.since, "gone")
+    autosaves.write(folder / NAME, note_project(small, "kept"), folder, gone, None)
+    autosaves.note(settings.state, gone, folder / NAME)
+    with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE):
+        desk.files.offer_left_over()
+    button = next(b for b in desk.messages.findChildren(QPushButton) if b.text() == "Recover")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: desk.studio.document.project.note == "kept", timeout=PATIENCE)
+    assert desk.studio.document.folder == folder
+
+
 def test_of_a_damaged_project_the_autosave_can_be_opened_instead(
     desk: MainWindow, qtbot: QtBot, folder: Path, small: Project
 ) -> None:

@@ -97,6 +97,25 @@ def test_a_folder_that_nothing_can_be_written_to_is_told_at_once(
     assert desk.findChild(SaveAs) is not None
 
 
+def test_that_a_folder_cannot_be_written_to_is_not_told_any_more_once_another_one_is_taken(
+    desk: MainWindow, qtbot: QtBot, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as context:
+        context.setattr(opening, "writable", lambda _folder: False)
+        with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE):
+            desk.files.open(folder)
+    changed(desk)
+    idle(desk, qtbot)
+    assert desk.messages.isVisible()
+    desk.files.save_as()
+    dialog = desk.findChild(SaveAs)
+    assert isinstance(dialog, SaveAs)
+    dialog.place.edit.setText(str(tmp_path / "elsewhere"))
+    qtbot.keyClick(dialog.place.edit, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: desk.messages.current is None, timeout=PATIENCE)
+    assert desk.studio.document.folder == tmp_path / "elsewhere"
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
 def test_a_folder_without_write_permission_is_opened_and_told_when_saving(
     desk: MainWindow, qtbot: QtBot, folder: Path
