@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
 
 from .icons import icon
+from .letters import letters_of, marked
 
 if TYPE_CHECKING:
     from .studio import Studio
@@ -78,6 +79,7 @@ class Actions(QObject):
         self._studio = studio
         self._rows: dict[str, ActionRow] = {}
         self._actions: dict[str, QAction] = {}
+        self._letters: dict[str, str] = {}
 
     @property
     def rows(self) -> Mapping[str, ActionRow]:
@@ -100,19 +102,38 @@ class Actions(QObject):
         """Forget all rows: the window that they were for is gone."""
         self._rows.clear()
         self._actions.clear()
+        self._letters.clear()
+
+    def text_of(self, action_id: str) -> str:
+        """What an action says now, without the mark of its letter, which `QAction.text` has."""
+        row = self._rows[action_id]
+        return row.text if row.says is None else row.says(self._studio)
+
+    def use_letters(self, letters: Mapping[str, str]) -> None:
+        """Let these actions have these letters in the menus."""
+        self._letters.update(letters)
+        for action_id in letters:
+            self._say(self._rows[action_id], self._actions[action_id])
+
+    def menu_letters(self) -> Mapping[str, str]:
+        """The menu that each letter opens with Alt: none that an action has in this way."""
+        keys = (self.keys_of(action_id) for action_id in self._rows)
+        taken = [key[-1] for key in keys if key.startswith("Alt+") and len(key) == len("Alt+F")]
+        return {letter: menu for menu, letter in zip(MENUS, letters_of(MENUS, taken), strict=True)}
 
     def keys_of(self, action_id: str) -> str:
         """The shortcut in force: the user's, or the row's own."""
         return self._studio.settings.keys.get(action_id, self._rows[action_id].keys)
 
     def _made(self, row: ActionRow) -> QAction:
-        action = QAction(row.text, self)
+        action = QAction(self)
         action.setObjectName(row.id)
         action.setCheckable(row.checked is not None)
         action.setShortcut(QKeySequence(self.keys_of(row.id)))
         action.triggered.connect(lambda: self._run(row))
         self._dress(row, action)
         self._tell_keys(row, action)
+        self._say(row, action)
         self._refresh(row, action)
         return action
 
@@ -158,4 +179,7 @@ class Actions(QObject):
         if row.checked is not None:
             action.setChecked(row.checked(studio))
         if row.says is not None:
-            action.setText(row.says(studio))
+            self._say(row, action)
+
+    def _say(self, row: ActionRow, action: QAction) -> None:
+        action.setText(marked(self.text_of(row.id), self._letters.get(row.id, "")))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QObject, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -85,6 +86,11 @@ def window(studio: Studio, qtbot: QtBot) -> Iterator[MainWindow]:
     have_done_what_is_due()
     yield window
     window.hide()
+
+
+def said(action: QAction) -> str:
+    """What an entry of a menu says, without the mark of its letter."""
+    return action.text().replace("&", "")
 
 
 def _moment(owner: QObject) -> QTimer:

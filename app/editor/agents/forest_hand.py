@@ -12,6 +12,7 @@ from ...core.edits import add_node, dissolve_node, group_nodes, move_nodes, remo
 from ...core.errors import HierarchyError
 from ...core.hierarchy import Hierarchy, Node
 from ...core.project import Arm
+from ..letters import plain
 from .forest_model import apart
 from .moving import Move, moved
 
@@ -127,7 +128,7 @@ class ForestHand:
         menu = QMenu(self._panel)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for name in names:
-            menu.addAction(name).triggered.connect(lambda _=False, name=name: do(name))
+            menu.addAction(plain(name)).triggered.connect(lambda _=False, name=name: do(name))
         menu.popup(self._panel.tree.viewport().mapToGlobal(QPoint(24, 24)))
 
 

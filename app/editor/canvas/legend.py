@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from ..forms.buttons import opens
 from ..icons import icon
+from ..letters import plain
 from .atlas import Look, Style, paint_agent
 from .coloring import ATTACHED, RUNS, SHAPES, ColorBy, Coloring, Entry
 from .looking import Looking
@@ -111,7 +112,7 @@ class Legend(QFrame):
         used, left = 0, self._room - 90
         for entry, count in self._rows[:MOST]:
             button = self._entry(entry)
-            button.setText(self._label(entry, count))
+            button.setText(plain(self._label(entry, count)))
             used += button.sizeHint().width() + 2
             if used > left:
                 button.hide()
@@ -135,7 +136,7 @@ class Legend(QFrame):
         for entry, count in self._rows:
             button = self.buttons.get(entry.words)
             if button is not None:
-                button.setText(self._label(entry, count))
+                button.setText(plain(self._label(entry, count)))
                 button.setAccessibleName(f"{count} {entry.words}: light up")
                 button.blockSignals(True)
                 button.setChecked(entry.words in self._looking.lit)
@@ -156,7 +157,7 @@ class Legend(QFrame):
         menu = self.more.menu()
         menu.clear()
         for entry, count in rows:
-            action = menu.addAction(self._swatch(entry), _counted(entry.words, count))
+            action = menu.addAction(self._swatch(entry), plain(_counted(entry.words, count)))
             action.setCheckable(True)
             action.setChecked(entry.words in self._looking.lit)
             action.toggled.connect(lambda on, words=entry.words: self._looking.light(words, on=on))

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtWidgets import QMenu
 
 from ...core.wording import state_words
+from ..letters import plain
 from .frame import Frame
 
 if TYPE_CHECKING:
@@ -42,20 +43,20 @@ def fill_menu(menu: QMenu, studio: Studio, frame: Frame, entity: int, controller
 def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
     place, select = frame.scene.place, studio.selection.select_nodes
     name = place.called(node)
-    menu.addAction(f"Select {name}", lambda: select((node,)))
+    menu.addAction(plain(f"Select {name}"), lambda: select((node,)))
     parent = place.hierarchy.parents().get(node)
     if parent is not None:
-        menu.addAction(f"Select its controller {place.called(parent)}", lambda: select((parent,)))
+        menu.addAction(plain(f"Select its controller {place.called(parent)}"), lambda: select((parent,)))
     first = frame.scene.doing.controllers
     if place.rows[node] < first:
         under = tuple(child.id for child in place.hierarchy.node(node).children)
-        menu.addAction(f"Select the {len(under)} under {name}", lambda: select(under))
+        menu.addAction(plain(f"Select the {len(under)} under {name}"), lambda: select(under))
 
     def teach() -> None:
         select((node,))
         studio.actions["teach.teach"].trigger()
 
-    action = menu.addAction(f"Teach {name}", teach)
+    action = menu.addAction(plain(f"Teach {name}"), teach)
     action.setToolTip(studio.actions.rows["teach.teach"].tip)
     if studio.teaching.can_pick_for(node):
         menu.addMenu(_picks(menu, studio, node, name))
@@ -64,14 +65,14 @@ def _node(menu: QMenu, studio: Studio, frame: Frame, node: str) -> None:
 
 def _picks(menu: QMenu, studio: Studio, node: str, name: str) -> QMenu:
     """What the node can be taught to do now: the states of what is taught."""
-    picks = QMenu(f"Pick for {name}", menu)
+    picks = QMenu(plain(f"Pick for {name}"), menu)
     teaching, automaton, key = studio.teaching, studio.teaching.automaton, studio.teaching.key
     if automaton is None or key is None:
         return picks
     library = studio.document.project.library(key.type)
     for state in automaton.states[1:]:
         words = state_words(automaton, state.id, library)
-        picks.addAction(words, partial(teaching.pick_for, node, state.id))
+        picks.addAction(plain(words), partial(teaching.pick_for, node, state.id))
     picks.setEnabled(not picks.isEmpty())
     return picks
 
@@ -82,6 +83,6 @@ def _attached(menu: QMenu, studio: Studio, frame: Frame, entity: int) -> None:
     nodes = tuple(scene.place.agents[number] for number in numbers)
     called = scene.called(entity)
     words = f"Select the {len(nodes)} attached to {called}" if nodes else f"Nobody is attached to {called}"
-    action = menu.addAction(words, lambda: studio.selection.select_nodes(nodes))
+    action = menu.addAction(plain(words), lambda: studio.selection.select_nodes(nodes))
     action.setEnabled(bool(nodes))
     menu.addSeparator()

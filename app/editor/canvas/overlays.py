@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from ...engine.snapshots import Mode
 from ..icons import icon
+from ..letters import plain
 from .words import badge_words
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ class CameraButtons(QWidget):
         for name in CAMERA:
             button = QToolButton()
             button.setDefaultAction(studio.actions[name])
-            button.setAccessibleName(studio.actions[name].text())
+            button.setAccessibleName(studio.actions.text_of(name))
             button.setFixedSize(SIDE, SIDE)
             button.setIconSize(QSize(16, 16))
             button.setStyleSheet("QToolButton { padding: 0; }")
@@ -126,7 +127,7 @@ class Banner(QFrame):
         self.setVisible(notice is not None)
         if notice is not None:
             self.words.setText(notice.words)
-            self.button.setText(notice.button)
+            self.button.setText(plain(notice.button))
             self.button.setAccessibleName(notice.button)
             self.button.setVisible(bool(notice.button))
             self.dress()

@@ -125,7 +125,7 @@ def _fixed(kind: str, entries: Sequence[Entry], weight: int) -> Section:
 def _actions(studio: Studio) -> Section:
     studio.actions.refresh()
     rows = [row for row in studio.actions.rows.values() if row.id != "help.palette"]
-    texts = [studio.actions[row.id].text().replace("&", "") for row in rows]
+    texts = [studio.actions.text_of(row.id) for row in rows]
 
     def entry(at: int) -> Entry:
         row, action = rows[at], studio.actions[rows[at].id]

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..icons import icon
+from ..letters import plain
 
 if TYPE_CHECKING:
     from ..theme import Theme
@@ -85,10 +86,10 @@ class Question(QDialog):
         self.buttons[0].setFocus()
 
     def _button(self, answer: Answer, *, first: bool) -> QPushButton:
-        button = QPushButton(answer.text)
+        button = QPushButton(plain(answer.text))
         button.setDefault(first)
         button.setAutoDefault(first)
-        button.setToolTip(answer.tip or answer.text.replace("&", ""))
+        button.setToolTip(answer.tip or answer.text)
         button.clicked.connect(lambda: self._answered(answer))
         return button
 

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMenu, QMenuBar
 
+from ..letters import letters_of, marked
+
 if TYPE_CHECKING:
     from .files import Files
 
@@ -16,19 +18,22 @@ class RecentMenu(QMenu):
     def __init__(self, files: Files, bar: QMenuBar) -> None:
         super().__init__("Open recent", bar)
         self._files = files
+        self.setObjectName(self.title())
         self.setToolTipsVisible(True)
         self.aboutToShow.connect(self.fill)
         self.fill()
-        menu = next((a.menu() for a in bar.actions() if a.text() == "File"), None)
-        if isinstance(menu, QMenu):
+        menu = bar.findChild(QMenu, "File")
+        if menu is not None:
             menu.insertMenu(files.studio.actions["file.save"], self)
             menu.insertSeparator(files.studio.actions["file.save"])
 
     def fill(self) -> None:
         """List what there is now."""
         self.clear()
-        for folder in self._files.studio.settings.recent:
-            action = self.addAction(folder.name)
+        folders = self._files.studio.settings.recent
+        letters = letters_of([folder.name for folder in folders])
+        for folder, letter in zip(folders, letters, strict=True):
+            action = self.addAction(marked(folder.name, letter))
             action.setToolTip(str(folder))
             action.setEnabled((folder / "project.json").exists())
             action.triggered.connect(lambda _=False, folder=folder: self._files.open(folder))

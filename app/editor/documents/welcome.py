@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from ...core.errors import UnderstudyError
 from ...engine.shipped import shipped_projects
 from ..icons import icon
+from ..letters import plain
 from ..theme import text_font
 from .background import Background
 from .thumbnails import Preview, preview, thumbnail
@@ -183,9 +184,10 @@ class WelcomePage(QScrollArea):
     def _dress(self, folder: Path) -> None:
         """Show on a card what is known of its project by now; the card itself stays under the mouse."""
         button, found = self.shipped[folder], self.previews.get(folder)
-        button.setText(found.name if found else folder.name)
+        name = found.name if found else folder.name
+        button.setText(plain(name))
         button.setToolTip(f"{found.note}\n{folder}" if found and found.note else str(folder))
-        button.setAccessibleName(f"Open {button.text()}")
+        button.setAccessibleName(f"Open {name}")
         if found is not None and found.view is not None:
             colors, ratio = self._studio.theme.palette, self.devicePixelRatioF()
             drawn = thumbnail(found.view, colors, PICTURE.width(), PICTURE.height(), ratio)

@@ -34,6 +34,7 @@ from ..actions import ActionRow, when_open
 from ..documents.background import Background, Job
 from ..documents.choosing import choose_existing
 from ..forms.parts import Complaint, caption
+from ..letters import plain
 from ..selection import BehaviorKey
 from ..studio import Message
 
@@ -189,7 +190,7 @@ class ImportDialog(QDialog):
         self.arm.setVisible(offer.whole is not None)
         self.arm.setEnabled(isinstance(offer.whole, Import))
         if offer.source.arms:
-            self.arm.setText(_arm_words(offer.source.arms[0]))
+            self.arm.setText(plain(_arm_words(offer.source.arms[0])))
             tip = "Its hierarchy, its world and what it starts with, as one more arm of this project"
             self.arm.setToolTip(offer.whole if isinstance(offer.whole, str) else tip)
         self._show()

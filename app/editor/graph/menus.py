@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QInputDialog, QMenu
 
 from ...core.automaton import RaiseFlag
 from ...core.project import Position
+from ..letters import plain
 from . import offers
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def _add_fixes(panel: GraphPanel, menu: QMenu) -> None:
     if fixes:
         menu.addSeparator()
     for problem in fixes:
-        action = menu.addAction(f"Fix: {problem.fix}")
+        action = menu.addAction(plain(f"Fix: {problem.fix}"))
         action.setToolTip(problem.message)
         action.triggered.connect(lambda _checked, problem=problem: panel.editing.mend(problem))
 
@@ -79,7 +80,7 @@ def add_menu(panel: GraphPanel, at: Position | None = None) -> QMenu:
         menu.addSection(title)
         for name, content in choices:
             shown = f"⚑ {name}" if isinstance(content, RaiseFlag) else name
-            menu.addAction(shown).triggered.connect(
+            menu.addAction(plain(shown)).triggered.connect(
                 lambda _checked, content=content: panel.add_state(content, at)
             )
     menu.addAction("⚑ another flag…").triggered.connect(lambda _checked: _ask_flag(panel, at))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
+from ..letters import plain
 from ..selection import BehaviorKey
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ class Trail(QWidget):
             label.setTextFormat(Qt.TextFormat.PlainText)
             return label
         button = QToolButton()
-        button.setText(name)
+        button.setText(plain(name))
         button.setProperty("flat", "true")
         button.setToolTip(f"Back to {name} (Backspace)")
         button.setAccessibleName(f"Back to {name}")

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton
 from ...core.edits import duplicate_automaton, rename_automaton
 from ...core.project import Project
 from ..forms.nothing import NothingFound
+from ..letters import plain
 from ..selection import BehaviorKey
 from ..soon import Soon
 from .delegate import CONFLICTS, STALE, USES, BehaviorDelegate
@@ -319,7 +320,7 @@ class LibraryPanel(QWidget):
 
     def _list_uses(self, menu: QMenu, uses: tuple[Use, ...]) -> None:
         for use in uses:
-            action = menu.addAction(use.words[:1].upper() + use.words[1:])
+            action = menu.addAction(plain(use.words[:1].upper() + use.words[1:]))
             action.triggered.connect(lambda _=False, use=use: self.jump(use))
 
     def _new_menu(self) -> QMenu:

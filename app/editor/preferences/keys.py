@@ -189,8 +189,17 @@ class KeysPage(QWidget):
             self.edit.setKeySequence(QKeySequence(actions.keys_of(action)))
             self.conflict.setText(f"{shown} is taken by {name}; give that other keys, or none, first.")
             return
+        if menu := self._menu(keys):
+            self.edit.setKeySequence(QKeySequence(actions.keys_of(action)))
+            self.conflict.setText(f"{keys} opens the menu {menu}; press other keys.")
+            return
         own = actions.rows[action].keys
         self._studio.settings.set_key(action, None if keys == own else keys)
+
+    def _menu(self, keys: str) -> str:
+        """The menu that these keys open; empty if they open none."""
+        letter = keys.removeprefix("Alt+").lower()
+        return self._studio.actions.menu_letters().get(letter, "") if keys.startswith("Alt+") else ""
 
     def holder(self, keys: str) -> str:
         """The action that has these keys; empty if none has."""

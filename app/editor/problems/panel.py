@@ -12,6 +12,7 @@ from ...core.check.fixes import Fix
 from ...core.errors import UnderstudyError
 from ..actions import ActionRow
 from ..context_menus import menu_place
+from ..letters import plain
 from ..selection import BehaviorKey
 from .findings import Finding, Findings
 from .model import FIX, PLACE, WHAT, ProblemsModel
@@ -174,9 +175,9 @@ class ProblemsPanel(QWidget):
         finding = self.current
         for fix in finding.fixes if finding is not None else ():
             words = fix.text[:1].upper() + fix.text[1:]
-            menu.addAction(words).triggered.connect(lambda _=False, fix=fix: self.mend(fix))
+            menu.addAction(plain(words)).triggered.connect(lambda _=False, fix=fix: self.mend(fix))
         if finding is not None and finding.relearns:
-            menu.addAction(finding.fix_words).triggered.connect(self._studio.relearning.learn)
+            menu.addAction(plain(finding.fix_words)).triggered.connect(self._studio.relearning.learn)
         if not only_fixes:
             menu.addSeparator()
             menu.addAction("Show the place").triggered.connect(self.jump)

@@ -6,7 +6,7 @@ from enum import StrEnum
 from functools import lru_cache
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QEnterEvent, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QEnterEvent, QFontMetricsF, QKeySequence, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from ..theme import CAPTION, Theme, mixed, text_font
@@ -47,6 +47,9 @@ class BehaviorButton(QAbstractButton):
         self.ring = Ring.NONE
         self.ring_color = "teach"
         self.setText(name)
+        self.setShortcut(
+            QKeySequence()
+        )  # Qt takes an ampersand in the name, which is painted as it is, for a mark
         self.setAccessibleName(name)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)

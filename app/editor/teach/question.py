@@ -57,7 +57,8 @@ class QuestionBar(QFrame):
         self.words.setToolTip(asked.reason)
         letting_go = self._studio.actions["teach.let_go"]
         keys = letting_go.shortcut().toString()
-        self.let_go.setText(f"{letting_go.text()}   {keys}" if keys else letting_go.text())
+        words = self._studio.actions.text_of("teach.let_go")
+        self.let_go.setText(f"{words}   {keys}" if keys else words)
         self.let_go.setToolTip(letting_go.toolTip())
         self.buttons = answers
         self._flow.hold((*answers, self.let_go))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 from ...core.features import Binding, Ground
 from ..forms.buttons import opens
 from ..icons import icon
+from ..letters import plain
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -77,7 +78,7 @@ class TargetRow(QWidget):
         self._layout.addWidget(_cut(caption, slot, " is", LONGEST))
         bound = self._choosing.bound(slot)
         button = QToolButton()
-        button.setText(_words(bound) or "choose…")
+        button.setText(plain(_words(bound)) or "choose…")
         button.setAccessibleName(f"What {slot} is")
         button.setToolTip(f"Choose what {slot} is from all targets")
         menu = QMenu(button)
@@ -115,13 +116,13 @@ class TargetRow(QWidget):
 
     def _option(self, menu: QMenu, slot: str, binding: Binding) -> QAction:
         words = _words(binding)
-        action = QAction(words, menu)
+        action = QAction(plain(words), menu)
         action.setObjectName(words)
         snapshot, meanings = self._studio.snapshot, self._choosing.meanings()
         if isinstance(binding, Ground) and snapshot is not None and binding.target in meanings:
             entity = meanings[binding.target]
             now = "none now" if entity < 0 else snapshot.place.entity_called(entity)
-            action.setText(words if now == words else f"{words}   ({now})")
+            action.setText(plain(words if now == words else f"{words}   ({now})"))
         if isinstance(binding, Ground) and self._studio.teaching.key is not None:
             vocabulary = self._studio.document.vocabulary(self._studio.teaching.key.type)
             action.setToolTip(vocabulary.targets[binding.target].doc)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMenu
 
+from ..letters import plain
 from .subject import Subject
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ def node_menu(panel: TreePanel, subject: Subject, key: int) -> QMenu:
     menu.addAction(actions["tree.take_back"])
     menu.addSeparator()
     for label in subject.labels_at(key):
-        menu.addAction(f"Never to {subject.name(label)} here").triggered.connect(
+        menu.addAction(plain(f"Never to {subject.name(label)} here")).triggered.connect(
             lambda _checked, label=label: panel.pruning.label(subject, key, label)
         )
     menu.addSeparator()

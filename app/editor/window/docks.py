@@ -14,6 +14,7 @@ from ..agents.panel import AgentsPanel
 from ..examples.panel import ExamplesPanel
 from ..graph.panel import GraphPanel
 from ..inspector.panel import InspectorPanel
+from ..letters import plain
 from ..library.panel import LibraryPanel
 from ..plots.panel import PlotsPanel
 from ..problems.panel import ProblemsPanel
@@ -148,7 +149,7 @@ class Dock(QDockWidget):
         """A tab that always stands beside another one says no more than what it is."""
         if self.row.low_tab_of:
             return self.row.title
-        return self.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, TAB)
+        return plain(self.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, TAB))
 
     def fold_title(self, *, folded: bool) -> None:
         """Show no title, or show it: where docks are tabs, the tab says it already."""

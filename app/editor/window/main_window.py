@@ -28,7 +28,7 @@ from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, place_docks, share_places, size_docks
 from .help_rows import help_rows
 from .keys import OwnKeys
-from .menu_bar import fill_menu_bar
+from .menu_bar import fill_menu_bar, letter_menus, menu_bar_rows
 from .messages import MessageBar
 from .physics import physics_rows
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
@@ -109,9 +109,8 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar(studio, self._pages)
         self._pages.installEventFilter(self)
         self.guide = Guide(self, self._pages)
-        studio.actions.add((*guide_rows(self.guide), *help_rows(self)))
+        studio.actions.add((*guide_rows(self.guide), *help_rows(self), *menu_bar_rows(self.menuBar())))
         self._build_menus()
-        self.recent = RecentMenu(self.files, self.menuBar())
         self.search_field = SearchField(studio)
         self.menuBar().setCornerWidget(self.search_field)
         self.search_field.show()  # the bar alone would leave it hidden
@@ -237,9 +236,17 @@ class MainWindow(QMainWindow):
         )
 
     def _build_menus(self) -> None:
-        fill_menu_bar(self.menuBar(), self.studio.actions)
+        bar, actions = self.menuBar(), self.studio.actions
+        fill_menu_bar(bar, actions)
+        self.recent = RecentMenu(self.files, bar)
+        letter_menus(bar, actions)
+        self.studio.settings.changed.connect(self._setting_changed)
         for action_id in self.studio.actions.rows:
             self.addAction(self.studio.actions[action_id])  # shortcuts of actions in no menu work as well
+
+    def _setting_changed(self, name: str) -> None:
+        if name == "keys":
+            letter_menus(self.menuBar(), self.studio.actions)
 
     # ------------------------------------------------------------------------------------------ the project
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..icons import icon
+from ..letters import plain
 from ..studio import Kind, Message
 
 if TYPE_CHECKING:
@@ -112,7 +113,7 @@ class MessageBar(QFrame):
         self.shown.emit(message.text)
 
     def _button(self, text: str, act: object) -> QPushButton:
-        button = QPushButton(text)
+        button = QPushButton(plain(text))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # keys stay with the window after a click
         button.clicked.connect(self.dismiss)
         button.clicked.connect(act)

@@ -10,6 +10,7 @@ from app.core.edits import set_hierarchy
 from app.core.project import LevelTable
 from app.editor.canvas.group_painting import hull_corners, link_ends, marked, shown_hulls, shown_links
 from tests.gui.canvas.pilot import CONTROL, RIGHT, SHIFT, Pilot
+from tests.gui.conftest import said
 
 
 def test_a_click_selects_the_agent_there_and_a_click_on_nothing_selects_none(pilot: Pilot) -> None:
@@ -129,7 +130,7 @@ def test_the_right_button_offers_what_can_be_done_with_an_agent(pilot: Pilot) ->
     pilot.down(at, RIGHT).up(at, RIGHT)
     menu = QApplication.activePopupWidget()
     assert isinstance(menu, QMenu)
-    texts = [action.text() for action in menu.actions()]
+    texts = [said(action) for action in menu.actions()]
     node = pilot.snapshot.place.agents[agent]
     parent = pilot.snapshot.place.hierarchy.parents()[node]
     choice = next(action for action in menu.actions() if action.text().startswith("Select its controller"))

@@ -13,7 +13,7 @@ from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
 from app.editor.window.main_window import MainWindow
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 from tests.gui.experiments.looking import finished, small, told
 
 LEFT = Qt.MouseButton.LeftButton
@@ -121,10 +121,10 @@ def test_a_run_of_another_forest_opens_in_a_window_of_its_own(
 
 def test_an_experiment_is_begun_from_the_menu(shown: Shown, qtbot: QtBot) -> None:
     main, window = shown
-    menu = next(action.menu() for action in main.menuBar().actions() if action.text() == "Experiment")
+    menu = next(action.menu() for action in main.menuBar().actions() if said(action) == "Experiment")
     assert isinstance(menu, QMenu)
     menu.popup(main.mapToGlobal(main.rect().topLeft()))
-    entry = next(action for action in menu.actions() if action.text() == "New experiment…")
+    entry = next(action for action in menu.actions() if said(action) == "New experiment…")
     qtbot.mouseClick(menu, LEFT, pos=menu.actionGeometry(entry).center())
     qtbot.waitUntil(lambda: bool(window.findChildren(ExperimentBuilder)))
     (builder,) = window.findChildren(ExperimentBuilder)

@@ -18,7 +18,7 @@ from app.export.bundle import bundle_of_arm, bundle_of_behavior
 from app.export.library_file import Exported, content, write
 from app.sim.scenario import Scenario
 from app.sim.scenarios import shipped
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 
 ALT_CONTROL = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 Opening = Callable[[Path], ImportDialog]
@@ -222,6 +222,6 @@ def test_a_change_of_the_project_meanwhile_is_taken_into_account(
 
 def test_import_and_export_stand_before_close_and_quit(window: MainWindow) -> None:
     menu = window.menuBar().actions()[0].menu()
-    texts = [action.text() for action in menu.actions()]  # type: ignore[attr-defined]
+    texts = [said(action) for action in menu.actions()]  # type: ignore[attr-defined]
     assert texts.index("Import behaviors…") < texts.index("Export…") < texts.index("Close project")
     assert texts[-1] == "Quit"

@@ -15,7 +15,7 @@ from app.editor.graph.panel import GraphPanel
 from app.editor.graph.rule_form import RuleBlock
 from app.editor.graph.state_item import Path
 from app.editor.selection import BehaviorKey
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 COPY, NO_BUTTON = Qt.DropAction.CopyAction, Qt.MouseButton.NoButton
@@ -113,7 +113,7 @@ class Author:
 
     def pick(self, menu: QMenu, text: str) -> None:
         """Click an entry of a menu."""
-        action = next(action for action in menu.actions() if action.text() == text)
+        action = next(action for action in menu.actions() if said(action) == text)
         self.qtbot.mouseClick(menu, LEFT, pos=menu.actionGeometry(action).center())
         self.settle()
 

@@ -17,7 +17,7 @@ from app.editor.library.panel import LibraryPanel
 from app.editor.library.survey import RowKey
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 
@@ -349,7 +349,7 @@ def test_enter_opens_the_graph(panel: LibraryPanel, studio: Studio, qtbot: QtBot
 
 def test_the_context_menu_offers_the_same_actions(panel: LibraryPanel) -> None:
     menu = panel.menu(panel.model.row(panel.model.find(GOTO)))
-    texts = [action.text() for action in menu.actions()]
+    texts = [said(action) for action in menu.actions()]
     for text in ("Rename", "Duplicate", "Delete behavior…", "Behavior settings…", "Used by (4)"):
         assert text in texts
     menu.close()

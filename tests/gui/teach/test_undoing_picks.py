@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from app.core.edits import note_project, set_note
 from app.engine.session import Session
 from app.engine.snapshots import Mode
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 from tests.gui.teach.hand import CONTROL, SHIFT, Hand
 
 
@@ -87,7 +87,7 @@ def test_redo_brings_the_examples_back(hand: Hand) -> None:
 def test_what_undo_would_do_is_said(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     hand.pick("RotateLeft")
-    assert hand.studio.actions["edit.undo"].text() == f"Undo: {hand.studio.document.history.undo_text}"
+    assert said(hand.studio.actions["edit.undo"]) == f"Undo: {hand.studio.document.history.undo_text}"
     assert "Pick" in hand.studio.document.history.undo_text
 
 

@@ -12,6 +12,7 @@ from app.editor.theme import Theme, ThemeMode
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
+from tests.gui.conftest import said
 
 #: Panels that only say what to do first, as long as nobody is selected and nothing is wrong.
 NOTHING_YET = ("inspector", "problems")
@@ -62,11 +63,11 @@ def test_panels_are_found_where_they_were_left_the_last_time(
 
 
 def test_colors_are_chosen_in_the_menu_view(window: MainWindow, studio: Studio, qtbot: QtBot) -> None:
-    menu = next(action.menu() for action in window.menuBar().actions() if action.text() == "View")
+    menu = next(action.menu() for action in window.menuBar().actions() if said(action) == "View")
     assert isinstance(menu, QMenu)
     for text, mode in (("Dark", ThemeMode.DARK), ("Light", ThemeMode.LIGHT)):
         menu.popup(window.mapToGlobal(window.rect().topLeft()))
-        entry = next(action for action in menu.actions() if action.text() == text)
+        entry = next(action for action in menu.actions() if said(action) == text)
         qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
         assert studio.theme.is_dark is (mode is ThemeMode.DARK)
         assert entry.isChecked()

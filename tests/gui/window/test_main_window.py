@@ -22,7 +22,7 @@ from app.editor.window.status_bar import StatusBar
 from app.editor.window.toolbar import Toolbar
 from app.engine.scenarios import open_scenario
 from app.engine.snapshots import Mode
-from tests.gui.conftest import PATIENCE
+from tests.gui.conftest import PATIENCE, said
 
 
 def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: MainWindow) -> None:
@@ -48,7 +48,7 @@ def test_no_menu_is_higher_than_what_a_low_screen_has_below_the_menu_bar(window:
 
 
 def test_every_action_of_a_menu_is_found_in_it_or_in_one_that_opens_from_it(window: MainWindow) -> None:
-    bar = {action.text(): action.menu() for action in window.menuBar().actions()}
+    bar = {said(action): action.menu() for action in window.menuBar().actions()}
     for row in window.studio.actions.rows.values():
         if row.menu:
             menu = bar[row.menu]
