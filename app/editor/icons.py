@@ -2,7 +2,7 @@
 
 import qtawesome
 from PySide6.QtCore import QRect, QSize
-from PySide6.QtGui import QIcon, QIconEngine, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap
 
 from .theme import Theme, mixed
 
@@ -10,24 +10,26 @@ from .theme import Theme, mixed
 def icon(name: str, theme: Theme, color: str = "text") -> QIcon:
     """The icon *name* of the family, such as ``play``, in a color of the palette by its name."""
     colors = theme.palette
-    off = mixed(colors.dim, colors.panel, 0.45)
-    drawn = qtawesome.icon(f"mdi6.{name}", color=theme.color(color), color_disabled=off)
-    return QIcon(_Kept(drawn))
+    return QIcon(_Kept(name, theme.color(color), mixed(colors.dim, colors.panel, 0.45)))
 
 
 class _Kept(QIconEngine):
-    """Draws an icon once for each size and mode: the window is painted over and over, and a glyph takes ten calls."""
+    """Draws an icon once for each size and mode: the window is painted over and over, and a glyph takes ten calls.
 
-    def __init__(self, drawn: QIcon) -> None:
+    The family is asked for it only then: most icons are in menus that nobody opens before the theme changes again.
+    """
+
+    def __init__(self, name: str, color: QColor, off: QColor) -> None:
         super().__init__()
-        self._drawn = drawn
+        self._name, self._color, self._off = name, color, off
         self._pixmaps: dict[tuple[int, int, QIcon.Mode, QIcon.State], QPixmap] = {}
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         """The icon in pixels of the screen."""
         key = size.width(), size.height(), mode, state
         if key not in self._pixmaps:
-            self._pixmaps[key] = self._drawn.pixmap(size, 1.0, mode, state)
+            drawn = qtawesome.icon(f"mdi6.{self._name}", color=self._color, color_disabled=self._off)
+            self._pixmaps[key] = drawn.pixmap(size, 1.0, mode, state)
         return self._pixmaps[key]
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:

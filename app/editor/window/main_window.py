@@ -61,6 +61,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.studio = studio
         self.setObjectName("studio")
+        studio.theme.dress(self)
         self.setDockOptions(
             QMainWindow.DockOption.AllowNestedDocks
             | QMainWindow.DockOption.AllowTabbedDocks

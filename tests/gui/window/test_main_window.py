@@ -31,6 +31,7 @@ def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: 
         assert row.tip, f"{row.id} has no tip"
         assert row.menu in ("", *MENUS), row.id
         assert row.icon or row.checked, f"{row.id} has no icon, and no mark either"
+        assert not row.icon or not window.studio.actions[row.id].icon().pixmap(16).isNull(), row.id
 
 
 def test_every_action_is_in_a_menu_or_on_a_button(window: MainWindow) -> None:
