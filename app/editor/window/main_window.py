@@ -265,14 +265,15 @@ class MainWindow(QMainWindow):
     def _opened(self) -> None:
         is_open = self.studio.is_open
         self._pages.setCurrentWidget(self.canvas if is_open else self.welcome)
-        self.toolbar.setVisible(is_open)
-        self.statusBar().setVisible(is_open)
         if is_open:
             self._restore()
         else:
             self._keep_docks()
             for dock in self.docks.values():
                 dock.hide()
+        # After the docks, since what was kept of them may say that the tool bar was hidden.
+        self.toolbar.setVisible(is_open)
+        self.statusBar().setVisible(is_open)
         self._titled()
 
     def _titled(self) -> None:

@@ -62,6 +62,17 @@ def test_panels_are_found_where_they_were_left_the_last_time(
     studio.shut_down()
 
 
+def test_the_tool_bar_is_there_again_when_another_project_is_opened_after_one_was_closed(
+    window: MainWindow, qtbot: QtBot, foraging: Project
+) -> None:
+    assert window.toolbar.isVisible()
+    qtbot.keyClick(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: window.welcome.isVisible() and not window.toolbar.isVisible())
+    window.studio.open(foraging, open_scenario(foraging), None)
+    qtbot.waitUntil(lambda: in_sight(window, "library"))
+    assert window.toolbar.isVisible()
+
+
 def test_colors_are_chosen_in_the_menu_view(window: MainWindow, studio: Studio, qtbot: QtBot) -> None:
     menu = next(action.menu() for action in window.menuBar().actions() if said(action) == "View")
     assert isinstance(menu, QMenu)
