@@ -270,9 +270,7 @@ class WorldCanvas(Surface):
     def touch(self) -> None:
         """Something that is shown has changed."""
         if self.isVisible():
-            self._is_stale = self.window().isMinimized()  # nobody can see it
-            if not self._is_stale:
-                self._soon.ask()
+            self._soon.ask()
 
     @property
     def is_pending(self) -> bool:
@@ -280,8 +278,10 @@ class WorldCanvas(Surface):
         return self._soon.is_due
 
     def _paint_anew(self) -> None:
-        self._picture.paint_anew()
-        self.update()
+        self._is_stale = self.window().isMinimized()  # nobody can see it
+        if not self._is_stale:
+            self._picture.paint_anew()
+            self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Show what was painted last."""
