@@ -23,6 +23,15 @@ LINKING = "Choose where the transition leads: a click, or arrow keys and Enter. 
 EMPTY = "No states yet. Teach it, drop a behavior here, or use Add state in the context menu."
 
 
+def nothing_shown() -> QLabel:
+    """What stands in the place of a graph while there is none."""
+    words = QLabel(NOTHING)
+    words.setProperty("role", "empty")
+    words.setWordWrap(True)
+    words.setContentsMargins(10, 10, 10, 10)
+    return words
+
+
 class Hint(QLabel):
     """What can be done with a graph now: by keys, for whoever came to it by keys."""
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from ...core.automaton import Content
 from ...core.edits import move_states
@@ -19,7 +19,7 @@ from .badges import Badges
 from .drafts import Drafts
 from .editing import GraphEditing
 from .form_strip import FormStrip
-from .hints import NOTHING, Hint
+from .hints import Hint, nothing_shown
 from .laying_out import LayingOut
 from .level import Drawn
 from .live import path_of
@@ -82,10 +82,7 @@ class GraphPanel(QWidget):
         self._trail = Trail()
         top = top_bar(self.studio, self._trail)
         self._hint = Hint(self.view)
-        self._empty = QLabel(NOTHING)
-        self._empty.setProperty("role", "empty")
-        self._empty.setWordWrap(True)
-        self._empty.setContentsMargins(10, 10, 10, 10)
+        self._empty = nothing_shown()
         shown = QWidget()
         column = QVBoxLayout(shown)
         column.setContentsMargins(0, 0, 0, 0)
@@ -102,6 +99,7 @@ class GraphPanel(QWidget):
     def _connect(self) -> None:
         studio = self.studio
         studio.opened.connect(self._opened)
+        studio.closing.connect(self._rest)
         studio.document.project_changed.connect(lambda *_: self.touch())
         studio.colors.changed.connect(self.touch)
         studio.theme.changed.connect(self.touch)
@@ -172,10 +170,13 @@ class GraphPanel(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         """Nobody looks: Graphviz is not needed."""
         super().hideEvent(event)
+        self._rest()
+        self.studio.touch()
+
+    def _rest(self) -> None:
         self._soon.forget()
         self._live.forget()
         self.laying_out.close()
-        self.studio.touch()
 
     def _opened(self) -> None:
         self._drafts.forget()

@@ -66,6 +66,13 @@ def test_without_graphviz_states_stand_in_rows_and_the_user_is_told_once(
     assert "states stand in rows" in told[0]
 
 
+def test_its_process_ends_with_the_studio(panel: GraphPanel, studio: Studio) -> None:
+    process = process_of(panel.laying_out)
+    assert process.state() is not QProcess.ProcessState.NotRunning
+    studio.shut_down()
+    assert process.state() is QProcess.ProcessState.NotRunning
+
+
 def test_an_automaton_of_40_states_and_120_edges_is_drawn_without_labels_in_the_way(
     panel: GraphPanel, studio: Studio, author: Author
 ) -> None:
