@@ -55,6 +55,11 @@ def bundle_of_behavior(
     return _bundle(wanted, scenario, arm, kinds, needed)
 
 
+def holds_arm(bundle: Project) -> bool:
+    """Whether a whole arm was exported, and no behavior with an arm named after it that only lets it run."""
+    return any(arm.name != arm.top for arm in bundle.arms)
+
+
 def _arm_for(project: Project, type_name: str) -> Arm:
     for arm in project.arms:
         if {root.type for root in arm.forest().roots} == {type_name}:

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
 from ...core.amounts import counted
 from ...core.errors import EditError, UnderstudyError
 from ...core.project import Arm, Project
+from ...export.bundle import holds_arm
 from ...export.importing import Import, bring
 from ...export.library_file import MAKES_ONE, read
 from ...sim.scenario import Scenario
@@ -186,7 +187,10 @@ class ImportDialog(QDialog):
         self.trouble.say(str(error))
 
     def _offered(self, offer: Offer) -> None:
+        is_new = self._offer is None or self._offer.source is not offer.source
         self._offer = offer
+        if is_new:  # who exported an arm wants it; what a behavior brings to run in is no part of it
+            self.arm.setChecked(holds_arm(offer.source))
         self.arm.setVisible(offer.whole is not None)
         self.arm.setEnabled(isinstance(offer.whole, Import))
         if offer.source.arms:

@@ -111,7 +111,7 @@ def test_an_arm_comes_with_all_it_uses_as_one_step_that_is_undone(
     dialog = importing(exported)
     qtbot.waitUntil(lambda: rows(dialog).get("ControlForage") == "new", timeout=PATIENCE)
     assert "“one level”: 50 agents under 10 controllers" in dialog.arm.text()
-    qtbot.keyClick(dialog.arm, Qt.Key.Key_Space)
+    assert dialog.arm.isChecked()
     assert "New node type: group." in dialog.note.text()
     with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE) as shown:
         press_import(dialog, qtbot)
@@ -135,9 +135,28 @@ def test_without_the_arm_only_behaviors_come(
 ) -> None:
     document = window.studio.document
     dialog = importing(exported)
+    qtbot.waitUntil(dialog.arm.isChecked, timeout=PATIENCE)
+    qtbot.keyClick(dialog.arm, Qt.Key.Key_Space)
     press_import(dialog, qtbot)
     assert [arm.name for arm in document.project.arms] == ["independent"]
     assert document.project.library("agent").by_name("Forage") is not None
+
+
+def test_of_a_behavior_s_file_only_the_behavior_comes_unless_its_arm_is_wanted(
+    window: MainWindow,
+    importing: Opening,
+    tmp_path: Path,
+    foraging: Project,
+    scenario: Scenario,
+    qtbot: QtBot,
+) -> None:
+    write(Exported(bundle_of_behavior(foraging, scenario, "agent", "wander")), tmp_path / "wander.json")
+    dialog = importing(tmp_path / "wander.json")
+    qtbot.waitUntil(lambda: rows(dialog).get("Wander") == "new", timeout=PATIENCE)
+    assert "“Wander”" in dialog.arm.text()
+    assert not dialog.arm.isChecked()
+    press_import(dialog, qtbot)
+    assert [arm.name for arm in window.studio.document.project.arms] == ["independent"]
 
 
 def test_what_shares_a_name_and_what_is_here_is_said_before(
@@ -157,13 +176,16 @@ def test_what_shares_a_name_and_what_is_here_is_said_before(
 def test_where_all_of_it_is_here_nothing_can_be_imported(
     window: MainWindow, importing: Opening, exported: Path, qtbot: QtBot
 ) -> None:
-    press_import(importing(exported), qtbot)
+    dialog = importing(exported)
+    qtbot.waitUntil(dialog.arm.isChecked, timeout=PATIENCE)
+    qtbot.keyClick(dialog.arm, Qt.Key.Key_Space)
+    press_import(dialog, qtbot)
     qtbot.waitUntil(lambda: not window.findChildren(ImportDialog), timeout=PATIENCE)
     dialog = importing(exported)
-    qtbot.waitUntil(lambda: dialog.note.text() == "All of it is in the project already.", timeout=PATIENCE)
+    qtbot.waitUntil(dialog.ok.isEnabled, timeout=PATIENCE)  # since the arm is not here yet
+    qtbot.keyClick(dialog.arm, Qt.Key.Key_Space)
+    assert dialog.note.text() == "All of it is in the project already."
     assert not dialog.ok.isEnabled()
-    qtbot.keyClick(dialog.arm, Qt.Key.Key_Space)  # but the arm is not
-    assert dialog.ok.isEnabled()
     dialog.reject()
 
 
