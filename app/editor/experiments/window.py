@@ -19,6 +19,7 @@ from ...engine.experiments.store import ResultsError
 from ..documents.asking import Answer, Question
 from ..documents.background import Background
 from ..forms.parts import caption
+from ..soon import Soon
 from .controls import Controls
 from .listing import EMPTY, UNSAVED, ExperimentList
 from .pages import Pages
@@ -54,6 +55,7 @@ class ExperimentsWindow(QWidget):
         self.listing = ExperimentList(self)
         self.controls = Controls(self.running, studio.theme)
         self.pages = Pages(self)
+        self._list = Soon(self, self.refresh)  # the window is there before the first experiment has been read
         self._lay_out()
         self._connect()
         self.resize(1100, 720)
@@ -112,7 +114,8 @@ class ExperimentsWindow(QWidget):
         self.study = self.kept = None
         self.setWindowTitle(f"Experiments – {self.studio.document.project.name}")
         self._known_folder = self.folder
-        self.refresh()
+        self._refresh_buttons()
+        self._list.ask()
 
     def _folder_may_have_changed(self) -> None:
         if self.folder != self._known_folder:

@@ -14,6 +14,7 @@ from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import FORAGING, PATIENCE
+from tests.patient_bot import have_done_what_is_due
 
 
 @pytest.fixture
@@ -38,5 +39,6 @@ def shown(
     qtbot.keyClick(window, Qt.Key.Key_X, keys)
     experiments = window.experiments.window
     assert experiments is not None
+    have_done_what_is_due()
     yield window, experiments
     experiments.close()
