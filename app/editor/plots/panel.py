@@ -21,8 +21,8 @@ from ...core.wording import node_words, state_words
 from ..actions import ActionRow
 from ..diagram.label_colors import state_colors
 from ..palette import BASIC
+from ..record import Point, Record
 from ..soon import Later, Soon
-from .record import Point, Record
 from .series import BehaviorShares, LineKey, Lines, MeasureOf, StateShares, Subject, rows_below
 
 if TYPE_CHECKING:

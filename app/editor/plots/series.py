@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .record import Point
+from ..record import Point
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMainWindow, QSizePolicy, QTabWidget, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QSizePolicy,
+    QTabWidget,
+    QWidget,
+)
 
 from ..agents.panel import AgentsPanel
 from ..examples.panel import ExamplesPanel
@@ -19,6 +28,7 @@ from ..library.panel import LibraryPanel
 from ..plots.panel import PlotsPanel
 from ..problems.panel import ProblemsPanel
 from ..teach.panel import TeachPanel
+from ..timeline.panel import TimelinePanel
 from ..tree.panel import TreePanel
 
 if TYPE_CHECKING:
@@ -97,6 +107,9 @@ DOCKS: tuple[DockRow, ...] = (
         keys="Alt+7",
         height=190,
         low=172,
+    ),
+    DockRow(
+        "timeline", "Timeline", TimelinePanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+0"
     ),
     DockRow("plots", "Plots", PlotsPanel, Area.BottomDockWidgetArea, tab_of="examples", keys="Alt+9"),
     DockRow(
@@ -229,3 +242,14 @@ def size_docks(window: QMainWindow, docks: Mapping[str, Dock]) -> None:
 def is_low(window: QMainWindow) -> bool:
     """Whether all panels below each other would leave too little of each."""
     return window.height() < LOW
+
+
+def is_in_sight(dock: Dock) -> bool:
+    """Whether anything of a dock is seen: it is not hidden, nor behind another tab."""
+    return dock.isVisible() and not dock.visibleRegion().isEmpty()
+
+
+def has_keys(place: QWidget) -> bool:
+    """Whether keys go to a place of the window, or to something in it."""
+    focus = QApplication.focusWidget()
+    return focus is not None and (focus is place or place.isAncestorOf(focus))

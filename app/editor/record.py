@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ...sim.doing import Doing
+    from ..sim.doing import Doing
 
 #: At most so many points are kept, fewer of large worlds: together they have so many entries of what nodes do.
 MOST_POINTS, MOST_ENTRIES = 1200, 12_000_000
@@ -47,15 +47,19 @@ class Record:
 
         Going back in time forgets what came after.
         """
-        while self.points and self.points[-1].tick > point.tick:
-            self.points.pop()
-            self.version += 1
+        self.cut(point.tick)
         if self.points and point.tick - self.points[-1].tick < self._stride:
             return False
         self.points.append(point)
         if len(self.points) > self._most(point.doing):
             self._thin_out()
         return True
+
+    def cut(self, tick: int) -> None:
+        """Forget what came after *tick*."""
+        while self.points and self.points[-1].tick > tick:
+            self.points.pop()
+            self.version += 1
 
     def _most(self, doing: Doing) -> int:
         return max(FEWEST_POINTS, min(MOST_POINTS, MOST_ENTRIES // max(1, 2 * doing.behavior.size)))

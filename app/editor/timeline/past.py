@@ -1,0 +1,114 @@
+"""What is known of a run on both sides of now: what has passed, and after going back, what came then."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ..record import Point, Record
+
+if TYPE_CHECKING:
+    from ...engine.snapshots import Snapshot
+    from ...sim.doing import BehaviorRef
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A node doing the same from one tick to another.
+
+    Attributes:
+        shown: The behavior that colors it; None while it idles.
+    """
+
+    first: int
+    last: int
+    shown: BehaviorRef | None
+
+
+class Past:
+    """Points of a run. Those ahead of now stay for as long as the run would come to the same again."""
+
+    def __init__(self) -> None:
+        self._record = Record()
+        self._run: tuple[object, ...] = ()
+        self._moved = False
+
+    @property
+    def points(self) -> Sequence[Point]:
+        """In the order of their ticks."""
+        return self._record.points
+
+    @property
+    def version(self) -> int:
+        """Grows whenever points other than the last have changed."""
+        return self._record.version
+
+    def clear(self) -> None:
+        """It is another world."""
+        self._record.clear()
+        self._moved = False
+
+    def move(self, tick: int) -> None:
+        """Something was moved by hand: going back repeats that, a world that begins again does not."""
+        self._moved = True
+        self.end_at(tick)
+
+    def moved_back(self, tick: int) -> None:
+        """Perhaps something that was moved by hand was moved back."""
+        if self._moved:
+            self.end_at(tick)
+
+    def end_at(self, tick: int) -> None:
+        """What came after *tick* will be different."""
+        if self.points and self.points[-1].tick > tick:
+            self._record.cut(tick)
+
+    def take(self, snapshot: Snapshot) -> bool:
+        """Take in the world as it is now; whether there is anything new."""
+        if self._moved and snapshot.tick == 0:
+            self.clear()
+        run = snapshot.revision, snapshot.seed, snapshot.lesson is None
+        if run != self._run:
+            self._run = run
+            self.end_at(snapshot.tick)
+        if self.points and snapshot.tick <= self.points[-1].tick:
+            return False
+        return self._record.add(Point(snapshot.tick, snapshot.measures, snapshot.doing))
+
+    def at(self, tick: int) -> Point | None:
+        """The world as it was seen last before or at a tick."""
+        place = bisect_right(self.points, tick, key=lambda point: point.tick)
+        return self.points[place - 1] if place else None
+
+    def spans(self, node: str) -> list[Span]:
+        """What a node did, one span after the other."""
+        spans: list[Span] = []
+        first, shown = 0, None
+        for number, point in enumerate(self.points):
+            now = shown_by(point, node)
+            if number == 0:
+                first, shown = point.tick, now
+            elif now != shown:
+                spans.append(Span(first, point.tick, shown))
+                first, shown = point.tick, now
+        if self.points:
+            spans.append(Span(first, self.points[-1].tick, shown))
+        return spans
+
+    def counted(self, measure: str) -> list[int]:
+        """The ticks at which a measure was seen to have grown."""
+        values = [point.measures.get(measure, 0.0) for point in self.points]
+        return [
+            point.tick
+            for point, before, now in zip(self.points[1:], values, values[1:], strict=False)
+            if now > before
+        ]
+
+
+def shown_by(point: Point, node: str) -> BehaviorRef | None:
+    """The behavior that colored a node; None if it idled, or was not there."""
+    row = point.doing.rows.get(node)
+    number = -1 if row is None else int(point.doing.shown[row])
+    return None if number < 0 else point.doing.behaviors[number]

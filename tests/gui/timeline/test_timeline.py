@@ -1,0 +1,159 @@
+"""The timeline as a user sees and uses it."""
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor
+from pytestqt.qtbot import QtBot
+
+from app.core.edits import note_project
+from app.editor.selection import BehaviorKey
+from app.editor.timeline.panel import TimelinePanel
+from app.editor.timeline.strip import DOT, short, step_of
+from app.editor.window.main_window import MainWindow
+from app.engine.commands import Pause, Pick, Play, Step, Teach
+from app.engine.snapshots import Mode
+from tests.gui.conftest import PATIENCE
+
+
+@pytest.fixture
+def panel(window: MainWindow, qtbot: QtBot) -> TimelinePanel:
+    """The panel in front, at tick 0."""
+    window.resize(1440, 900)
+    window.show_panel("timeline")
+    panel = window.docks["timeline"].widget()
+    assert isinstance(panel, TimelinePanel)
+    return panel
+
+
+def passes(window: MainWindow, panel: TimelinePanel, qtbot: QtBot, ticks: int) -> None:
+    """Let time pass until a tick, and wait until the panel shows it."""
+    bridge, goal = window.studio.bridge, shown(window) + ticks
+    bridge.send(Play(16.0))
+    qtbot.waitUntil(lambda: shown(window) >= goal, timeout=PATIENCE)
+    bridge.send(Pause())
+    qtbot.waitUntil(lambda: snapshot_stands(window), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: panel.strip.shown.now == shown(window), timeout=PATIENCE)
+
+
+def shown(window: MainWindow) -> int:
+    snapshot = window.studio.snapshot
+    assert snapshot is not None
+    return snapshot.tick
+
+
+def snapshot_stands(window: MainWindow) -> bool:
+    snapshot = window.studio.snapshot
+    return snapshot is not None and snapshot.speed == 0.0
+
+
+def click(panel: TimelinePanel, qtbot: QtBot, tick: int, row: int) -> None:
+    strip = panel.strip
+    place = QPointF(strip.x_of(tick), strip.middle_of(row)).toPoint()
+    qtbot.mouseClick(strip, Qt.MouseButton.LeftButton, pos=place)
+
+
+def color_at(panel: TimelinePanel, x: float, y: float) -> QColor:
+    return panel.strip.grab().toImage().pixelColor(QPoint(round(x), round(y)))
+
+
+def test_what_the_selected_agent_did_is_drawn_in_the_colors_of_behaviors(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    window.studio.selection.select_nodes(["agent-3"])
+    passes(window, panel, qtbot, 200)
+    qtbot.waitUntil(lambda: "Agent 3" in panel.strip.rows(), timeout=PATIENCE)
+    spans = panel.past.spans("agent-3")
+    assert spans[0].first == panel.past.points[0].tick
+    last = spans[-1].shown
+    assert last is not None
+    wide = max(spans, key=lambda span: span.last - span.first)
+    assert wide.shown is not None
+    x = panel.strip.x_of(wide.first) + 6
+    expected = window.studio.colors.color("agent", wide.shown.id)
+    assert color_at(panel, x, panel.strip.middle_of(panel.strip.rows().index("Agent 3"))) == expected
+    assert f"Agent 3: {last.name}" in panel.strip.words_at(shown(window))
+
+
+def test_a_click_shows_the_world_as_it_was_and_what_came_then_stays_in_sight(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    passes(window, panel, qtbot, 300)
+    end = panel.past.points[-1].tick
+    click(panel, qtbot, 100, 2)
+    qtbot.waitUntil(lambda: abs(shown(window) - 100) <= 2, timeout=PATIENCE)
+    assert panel.past.points[-1].tick == end
+    click(panel, qtbot, 250, 2)
+    qtbot.waitUntil(lambda: abs(shown(window) - 250) <= 2, timeout=PATIENCE)
+
+
+def test_what_came_then_is_forgotten_once_the_run_will_be_another_one(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    passes(window, panel, qtbot, 300)
+    click(panel, qtbot, 100, 2)
+    qtbot.waitUntil(lambda: abs(shown(window) - 100) <= 2, timeout=PATIENCE)
+    window.studio.document.do(note_project, "something else")
+    qtbot.waitUntil(lambda: panel.past.points[-1].tick <= shown(window), timeout=PATIENCE)
+
+
+def test_the_arrow_keys_go_to_where_something_happened(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    window.studio.selection.select_nodes(["agent-3"])
+    passes(window, panel, qtbot, 200)
+    qtbot.waitUntil(lambda: "Agent 3" in panel.strip.rows(), timeout=PATIENCE)
+    before = [tick for tick in panel.strip.changes() if tick < shown(window)]
+    panel.strip.setFocus()
+    qtbot.keyClick(panel.strip, Qt.Key.Key_Left)
+    qtbot.waitUntil(lambda: shown(window) == before[-1], timeout=PATIENCE)
+
+
+def test_picks_are_red_dots_until_they_are_taken_back_and_a_click_selects_what_they_recorded(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    studio = window.studio
+    studio.bridge.send(Teach("agent", "forage", ("agent-1",)))
+    studio.bridge.send(Pick("agent-1", "return-with-box"))
+    studio.bridge.send(Pick("agent-1", "wander"))  # in the place of the one before
+    studio.bridge.send(Step(60))
+    qtbot.waitUntil(lambda: shown(window) == 60, timeout=PATIENCE)
+    studio.bridge.send(Pick("agent-1", "return-with-box"))
+    studio.bridge.send(Step(60))
+    qtbot.waitUntil(lambda: len(panel.strip.shown.picks) == 2 and shown(window) == 120, timeout=PATIENCE)
+    first, second = panel.strip.shown.picks
+    assert second.tick == 60
+    assert second.words == "tick 60: Agent 1 was to go from Wander to ReturnWithBox"
+    middle = panel.strip.middle_of(0)
+    assert color_at(panel, panel.strip.x_of(60) + DOT / 2, middle) == studio.theme.color("teach")
+    click(panel, qtbot, 60, 0)
+    assert studio.selection.behavior == BehaviorKey("agent", "forage")
+    assert studio.selection.examples == second.examples
+    studio.actions["edit.undo"].trigger()
+    qtbot.waitUntil(lambda: panel.strip.shown.picks == (first,), timeout=PATIENCE)
+
+
+def test_in_a_lesson_nobody_goes_back_and_that_is_said(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    studio = window.studio
+    studio.bridge.send(Teach("agent", "forage", ("agent-1",)))
+    studio.bridge.send(Step(40))
+    qtbot.waitUntil(lambda: panel.strip.shown.now == 40, timeout=PATIENCE)
+    assert studio.mode is Mode.TEACHING
+    with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE) as said:
+        click(panel, qtbot, 10, 2)
+    assert said.args is not None
+    assert "time only goes on" in said.args[0]
+    assert shown(window) == 40
+
+
+def test_another_world_begins_another_line(window: MainWindow, panel: TimelinePanel, qtbot: QtBot) -> None:
+    passes(window, panel, qtbot, 30)
+    with qtbot.waitSignal(window.studio.bridge.place_changed, timeout=PATIENCE):
+        window.studio.use_arm("one level")
+    qtbot.waitUntil(lambda: len(panel.past.points) <= 1, timeout=PATIENCE)
+
+
+def test_marks_stand_at_round_ticks_and_are_short() -> None:
+    assert [step_of(length, 8) for length in (5, 9, 100, 3170, 49_000)] == [1, 2, 20, 500, 10_000]
+    assert [short(tick) for tick in (0, 500, 1_500, 20_000, 2_000_000)] == ["0", "500", "1.5k", "20k", "2M"]
