@@ -14,17 +14,55 @@ from threading import Lock, Thread
 
 from ..core.errors import UncompilableError, UnderstudyError
 from ..core.machine import Leaving
-from ..sim.engine import Engine, Start
-from ..sim.engines import AUTO, REFERENCE, refuse_uncompilable
+from ..sim.engine import Engine
+from ..sim.engines import AUTO, REFERENCE, Notice, refuse_uncompilable
+from ..sim.physics import in_physics
 from ..sim.reference import ReferenceEngine
 from ..sim.scenario import Scenario
 from .children import environment, python
+from .interrupts import deaf_processes
 from .runs import Treatment, start_engine
 from .scenarios import whereabouts
 
 #: What a session says while it waits for a kernel.
 COMPILING = "compiling the kernel; until then ticks are slower"
+#: Seconds between two looks at whether whoever waits for a kernel still wants it.
+GLANCE = 0.1
 _CHILD = f"{__package__}.compile_kernel"
+
+
+def compile_ahead(
+    scenario: Scenario,
+    physics: str,
+    notice: Notice,
+    cancelled: Callable[[], bool],
+    folder: Path | None = None,
+) -> None:
+    """Have the kernel kept before worlds are started, which then have no more to do than to load it.
+
+    Compiling in this process could not be ended half-way. What cannot be compiled is left to who starts a world, and says so.
+
+    Args:
+        notice: Told in a few words what takes long.
+        cancelled: Looked at while it goes on; it ends at once when nobody waits any more.
+        folder: As in `KernelCompiler`.
+    """
+    wanted = in_physics(scenario, physics)
+    try:
+        refuse_uncompilable(wanted)
+    except UncompilableError:
+        return
+    from ..sim.kernel import ahead  # noqa: PLC0415 - numba takes half a second to import
+
+    if ahead.is_kept(wanted, ahead.writable(folder)):
+        return
+    notice(f"compiling the kernel of {scenario.name!r}, once")
+    compilation = _Compilation(wanted, physics, lambda: None, folder)
+    try:
+        while not compilation.ends_within(GLANCE) and not cancelled():
+            pass
+    finally:
+        compilation.close()
 
 
 class KernelCompiler:
@@ -48,8 +86,9 @@ class KernelCompiler:
         if of.engine != AUTO:
             return start_engine(of, seed, leaving, idle=idle)
         engine = start_engine(replace(of, engine=REFERENCE), seed, leaving, idle=idle)
-        if engine.start.scenario not in self._wanted:
-            self._wanted[engine.start.scenario] = _Compilation(engine.start, self._ready, self._folder)
+        scenario = engine.start.scenario
+        if scenario not in self._wanted:
+            self._wanted[scenario] = _Compilation(scenario, of.physics, self._ready, self._folder)
         return self.compiled(engine)
 
     def compiled(self, engine: Engine) -> Engine:
@@ -82,14 +121,15 @@ class _Compilation:
     Attributes:
         done: It is there, or cannot be.
         problem: Why it cannot be.
-        notice: What is going on, if that takes long.
     """
 
-    def __init__(self, start: Start, ready: Callable[[], None], folder: Path | None) -> None:
+    def __init__(
+        self, scenario: Scenario, physics: str, ready: Callable[[], None], folder: Path | None
+    ) -> None:
         self.done = False
         self.problem = ""
-        self.notice = ""
-        self._start = start
+        self._scenario = scenario
+        self._physics = physics
         self._ready = ready
         self._folder = folder
         self._lock = Lock()
@@ -97,6 +137,11 @@ class _Compilation:
         self._process: subprocess.Popen[str] | None = None
         self._thread = Thread(target=self._work, name="compiler", daemon=True)
         self._thread.start()
+
+    def ends_within(self, seconds: float) -> bool:
+        """Wait for so long at most; whether it has come to its end."""
+        self._thread.join(seconds)
+        return not self._thread.is_alive()
 
     def close(self) -> None:
         """End the process and the thread."""
@@ -118,7 +163,7 @@ class _Compilation:
         self._ready()
 
     def _get(self) -> None:
-        scenario = self._start.scenario
+        scenario = self._scenario
         refuse_uncompilable(scenario)
         from ..sim.kernel import ahead  # noqa: PLC0415 - numba takes half a second to import
 
@@ -132,15 +177,13 @@ class _Compilation:
         """Compile in another process and in a folder of its own, so that what is half done is in nobody's way."""
         from ..sim.kernel import ahead  # noqa: PLC0415 - as above
 
-        self.notice = COMPILING
-        self._ready()
-        where = whereabouts(self._start.scenario)
+        where = whereabouts(self._scenario)
         room = Path(mkdtemp(dir=folder, prefix="compiling-"))
         try:
-            self._run(python(_CHILD, *where, self._start.physics, str(room)))
+            self._run(python(_CHILD, *where, self._physics, str(room)))
             if not self._stop:
                 ahead.move(room, folder)
-                if not ahead.is_kept(self._start.scenario, folder):
+                if not ahead.is_kept(self._scenario, folder):
                     raise UncompilableError(
                         f"{where[-1]} has changed since it was opened; open the project again"
                     )
@@ -156,14 +199,15 @@ class _Compilation:
         with self._lock:
             if self._stop:
                 return
-            process = self._process = subprocess.Popen(
-                command,
-                stdin=subprocess.PIPE,  # once this program is gone it is at its end, and the process ends, too
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.PIPE,
-                text=True,
-                env=environment(),
-            )
+            with deaf_processes():  # what Ctrl-C means, this program decides
+                process = self._process = subprocess.Popen(
+                    command,
+                    stdin=subprocess.PIPE,  # once this program is gone it is at its end, and the process ends, too
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                    env=environment(),
+                )
         assert process.stdin is not None
         assert process.stderr is not None
         with process.stdin, process.stderr:

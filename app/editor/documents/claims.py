@@ -1,9 +1,13 @@
 """Who has a project open: a lock file that names its owner, so that two windows do not overwrite each other's work."""
 
 import contextlib
+import errno
+import fcntl
 import json
 import os
 import platform
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
@@ -12,6 +16,8 @@ from uuid import uuid4
 from . import private
 
 LOCK = "lock"
+#: How often a folder is looked for that others make and remove.
+TRIES = 1_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,25 +81,61 @@ def claim(folder: Path, owner: Owner) -> Owner | None:
     Raises:
         OSError: The lock cannot be written.
     """
-    private.make(folder)
-    path = folder / LOCK
-    text = json.dumps(asdict(owner))
-    while True:
-        try:
-            with path.open("x", encoding="utf-8") as file:
-                file.write(text)
-            return None
-        except FileExistsError:
-            holder = holder_of(folder)
-            if holder is not None and holder.lives and holder.token != owner.token:
-                return holder
-            path.unlink(missing_ok=True)
+    with _alone_in(folder, make=True):
+        holder = holder_of(folder)
+        if holder is not None and holder.lives and holder.token != owner.token:
+            return holder
+        _write(folder, owner)
+        return None
 
 
 def take_over(folder: Path, owner: Owner) -> None:
     """Claim a project although somebody else has it."""
-    private.make(folder)
+    with _alone_in(folder, make=True):
+        _write(folder, owner)
+
+
+def _write(folder: Path, owner: Owner) -> None:
     private.write_whole(folder / LOCK, json.dumps(asdict(owner)))
+
+
+@contextmanager
+def _alone_in(folder: Path, *, make: bool) -> Iterator[None]:
+    """While this lasts no other window claims what a private folder is of, or gives it free.
+
+    Between looking at a lock and writing one, somebody else could do the same, and both would have the project.
+    """
+    there = _held(folder, make=make)
+    try:
+        yield
+    finally:
+        os.close(there)
+
+
+def _held(folder: Path, *, make: bool) -> int:
+    """A private folder, opened and held; it is made if need be, also where who held it before has just removed it.
+
+    Raises:
+        OSError: It is not there, or cannot be.
+    """
+    for _ in range(TRIES):
+        with contextlib.suppress(FileExistsError, FileNotFoundError):  # it goes as others come
+            if make:
+                private.make(folder)
+            there = os.open(folder, os.O_RDONLY)
+            with contextlib.suppress(OSError):  # on a file system that cannot do it
+                fcntl.flock(there, fcntl.LOCK_EX)
+            if _is_still(folder, there):
+                return there
+            os.close(there)
+    raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(folder))
+
+
+def _is_still(folder: Path, there: int) -> bool:
+    try:
+        return os.path.samestat(os.fstat(there), folder.stat())
+    except FileNotFoundError:
+        return False
 
 
 def holder_of(folder: Path) -> Owner | None:
@@ -113,8 +155,8 @@ def read_owner(path: Path) -> Owner | None:
 
 def release(folder: Path, owner: Owner) -> None:
     """Give a project free, if *owner* still has it."""
-    holder = holder_of(folder)
-    if holder is not None and holder.token == owner.token:
-        with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError), _alone_in(folder, make=False):
+        holder = holder_of(folder)
+        if holder is not None and holder.token == owner.token:
             (folder / LOCK).unlink()
-    private.clear(folder)
+        private.clear(folder)

@@ -7,8 +7,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ..experiments.load import load_experiment
-from ..experiments.runner import Progress, carry_out
+from ..experiments.runner import Controls, Progress, carry_out
 from ..experiments.store import Results
+from ..interrupts import noted_interrupts
 from .subject import Subject, UnmeasurableError
 
 #: Of each of four arms; results kept by mistake would add 2 KiB a run.
@@ -33,8 +34,15 @@ def growth_with_runs(of: Subject) -> float:
 
     experiment = load_experiment(of.folder, "figure3", of.project, of.scenario)
     experiment = replace(experiment, runs=of.much(RUNS), ticks=of.much(TICKS), points=of.much(TICKS))
-    with TemporaryDirectory() as place, Results.open(Path(place) / "results.sqlite", {}) as results:
-        carry_out(of.project, of.scenario, experiment, results, of.cores, tell)
+    with (
+        TemporaryDirectory() as place,
+        Results.open(Path(place) / "results.sqlite", {}) as results,
+        noted_interrupts() as interrupts,
+    ):
+        controls = Controls(stopped=lambda: interrupts.came)
+        carry_out(of.project, of.scenario, experiment, results, of.cores, tell, controls)
+    if interrupts.came:
+        raise KeyboardInterrupt
     return growth(seen)
 
 

@@ -1,7 +1,7 @@
 """How fast worlds pass: in the kernel, on threads, beside a loop written by hand, uncompiled, and with rigid bodies."""
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -14,6 +14,7 @@ from ...core.project import Project
 from ...sim.engine import Engine, Start
 from ...sim.engines import COMPILED, REFERENCE
 from ...sim.kernel.yardstick import Yardstick
+from ..interrupts import noted_interrupts
 from ..runs import Treatment, start_engine
 from .subject import Subject, UnmeasurableError
 from .timing import Prepare, Work, least, ratio, side_by_side
@@ -78,11 +79,18 @@ def _in_turn(runs: Sequence[Prepare]) -> Work:
 
 def _at_once(runs: Sequence[Prepare], pool: ThreadPoolExecutor) -> Work:
     works = [run() for run in runs]
-    return lambda: list(pool.map(_do, works))
+    return lambda: _together(works, pool)
 
 
-def _do(work: Work) -> object:
-    return work()
+def _together(works: Sequence[Work], pool: ThreadPoolExecutor) -> None:
+    """Do all works at once; Ctrl-C is heeded when they are done."""
+    with noted_interrupts() as interrupts:
+        futures = [pool.submit(work) for work in works]
+        wait(futures)
+    if interrupts.came:
+        raise KeyboardInterrupt
+    for future in futures:
+        future.result()
 
 
 def yardstick_ratio(of: Subject) -> float:

@@ -18,6 +18,7 @@ from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...sim.scenario import Scenario
 from ..children import environment, python
+from ..interrupts import deaf_processes
 from .laboratory import Look, Stage
 from .order import Order, Told, Word, heard, tell
 from .plan import Experiment
@@ -114,24 +115,26 @@ class LaboratoryProcess:
             return
         assert process.stdin is not None
         assert process.stdout is not None
-        with process.stdin, process.stdout:
-            try:
+        try:
+            with suppress(
+                OSError, EOFError, pickle.UnpicklingError
+            ):  # it has ended, which its exit code tells
                 self._give(process.stdin)
                 self._follow(process.stdout)
-            except (OSError, EOFError, pickle.UnpicklingError):
-                process.kill()
-            code = process.wait()
+        finally:
+            self._let_go(process)
         if not self._newest.is_over:
-            self._fail(_ENDED.format(code=code))
+            self._fail(_ENDED.format(code=process.returncode))
 
     def _started(self) -> subprocess.Popen[bytes] | None:
         """The process, unless it is not wanted any more."""
         with self._lock:
             if self._closed:
                 return None
-            self._process = subprocess.Popen(
-                python(_CHILD), stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment()
-            )
+            with deaf_processes():  # the window decides what Ctrl-C means, also while it starts
+                self._process = subprocess.Popen(
+                    python(_CHILD), stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment()
+                )
             return self._process
 
     def _give(self, orders: IO[bytes]) -> None:
@@ -150,6 +153,16 @@ class LaboratoryProcess:
             with self._lock:
                 found = self._newest.found if told.as_before else told.look.found
                 self._newest = self._as_asked(replace(told.look, found=found))
+
+    def _let_go(self, process: subprocess.Popen[bytes]) -> None:
+        """Wait for its end, which comes by itself where the last look has."""
+        if not self._newest.is_over:
+            process.kill()
+        for pipe in (process.stdin, process.stdout):
+            assert pipe is not None
+            with suppress(OSError):  # a word that came too late waits in it, and nobody reads it any more
+                pipe.close()
+        process.wait()
 
     def _fail(self, notice: str) -> None:
         with self._lock:

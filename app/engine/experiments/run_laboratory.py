@@ -5,7 +5,6 @@ program that started it is gone it ends at once: a run is in the results in full
 """
 
 import os
-import signal
 import sys
 from dataclasses import replace
 from threading import Thread
@@ -22,7 +21,6 @@ GLANCE = 0.1
 
 def main() -> None:
     """Carry out what is ordered."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the window decides what it means
     step_back(10)
     orders, looks = sys.stdin.buffer, _private_output()
     order: Order = heard(orders)

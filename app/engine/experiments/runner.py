@@ -14,12 +14,14 @@ import numpy as np
 
 from ...core.project import Project
 from ...sim.engine import Engine
-from ...sim.engines import Notice
+from ...sim.engines import REFERENCE, Notice
+from ...sim.physics import KINEMATIC
 from ...sim.scenario import Scenario
+from ..compiling import compile_ahead
 from ..runs import STALLED_PART, slices, start_engine
 from .plan import Cell, Experiment
 from .store import Results, Row
-from .treatments import Ready, Treatments
+from .treatments import Ready, Treatments, sorted_settings
 
 #: Seconds between looks at how far the threads are.
 GLANCE = 0.2
@@ -56,30 +58,41 @@ Tell = Callable[[Progress], None]
 class Controls:
     """What a user can do to an experiment from another thread: let it pause, go on, and stop."""
 
-    def __init__(self, clock: Callable[[], float] = time.perf_counter) -> None:
+    def __init__(
+        self, clock: Callable[[], float] = time.perf_counter, stopped: Callable[[], bool] = lambda: False
+    ) -> None:
+        """Going, not cancelled.
+
+        Args:
+            stopped: Asked now and then whether it is to stop for another reason than `cancel`, such as Ctrl-C.
+        """
         self._clock = clock
+        self._stopped = stopped
         self._going = Event()
         self._going.set()
         self._cancelled = Event()
-        self._since: float | None = None  # when it was paused, while it is
-        self._before = 0.0  # for how long it was paused before
+        # When it was paused, while it is, and for how long it was before: one value, since other threads read the two.
+        self._stood: tuple[float | None, float] = None, 0.0
 
     def worked(self) -> float:
         """Seconds by a clock that stands still while worlds do."""
-        since = self._since
-        return (self._clock() if since is None else since) - self._before
+        since, before = self._stood
+        return (self._clock() if since is None else since) - before
 
     def pause(self) -> None:
-        """Let all worlds stand still."""
-        if self._since is None:
-            self._since = self._clock()
+        """Let all worlds stand still; what was cancelled goes on to its end."""
+        since, before = self._stood
+        if since is None:
+            self._stood = self._clock(), before
         self._going.clear()
+        if self.cancelled:
+            self._going.set()
 
     def resume(self) -> None:
         """Go on."""
-        if self._since is not None:
-            self._before += self._clock() - self._since
-            self._since = None
+        since, before = self._stood
+        if since is not None:
+            self._stood = None, before + self._clock() - since
         self._going.set()
 
     def cancel(self) -> None:
@@ -90,7 +103,7 @@ class Controls:
     @property
     def cancelled(self) -> bool:
         """Whether the experiment is to stop."""
-        return self._cancelled.is_set()
+        return self._cancelled.is_set() or self._stopped()
 
     def heed(self) -> bool:
         """Wait while paused; false if the run is to be given up."""
@@ -127,6 +140,7 @@ def carry_out(
         UnderstudyError: A run could not be made, or not be kept. Whatever ends it, finished runs are kept.
     """
     crew = _Crew(project, scenario, experiment, results, controls or Controls(), notice)
+    crew.compile_kernels()
     with ThreadPoolExecutor(jobs, thread_name_prefix="run") as pool:
         try:
             crew.work(pool, jobs, tell)
@@ -150,6 +164,7 @@ class _Crew:
     ) -> None:
         self.controls = controls
         self._notice = notice
+        self._scenario = scenario
         self._experiment = experiment
         self._results = results
         self._treatments = Treatments(project, scenario, experiment)
@@ -158,6 +173,15 @@ class _Crew:
         self._done = self._found
         self._began = self.controls.worked()
         self._underway: dict[Future[Row | None], _Underway] = {}
+
+    def compile_kernels(self) -> None:
+        """Have all kernels compiled that runs need: a run could not be given up while it compiles its own."""
+        if self._found == len(self._cells) * self._experiment.runs:
+            return
+        wanted = (sorted_settings(cell.settings).scenario for cell in self._cells)
+        compiled = (each for each in wanted if each.get("engine") != REFERENCE)
+        for physics in dict.fromkeys(str(each.get("physics", KINEMATIC)) for each in compiled):
+            compile_ahead(self._scenario, physics, self._notice, lambda: self.controls.cancelled)
 
     def work(self, pool: ThreadPoolExecutor, jobs: int, tell: Tell) -> None:
         """Keep *jobs* runs going until all are made, or the user has had enough."""

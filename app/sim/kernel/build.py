@@ -5,13 +5,16 @@ numba caches a compiled function beside the file that it stands in and looks at 
 generated file holds a hash of the scenario's functions, the kernel's own, and the versions of numba and Python.
 """
 
+import atexit
 import hashlib
 import os
 import re
 import sys
 from collections.abc import Callable
+from functools import cache
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from shutil import rmtree
 from tempfile import TemporaryFile, mkdtemp
 from threading import RLock
 from types import FunctionType, ModuleType
@@ -100,7 +103,15 @@ def writable(folder: Path) -> Path:
         with TemporaryFile(dir=folder):
             return folder
     except OSError:
-        return Path(mkdtemp(prefix="understudy-kernels-"))
+        return _own_folder()
+
+
+@cache
+def _own_folder() -> Path:
+    """A folder for this process alone, gone when it ends."""
+    folder = Path(mkdtemp(prefix="understudy-kernels-"))
+    atexit.register(rmtree, folder, ignore_errors=True)
+    return folder
 
 
 def _name(scenario: Scenario, layout: Layout, source: str) -> str:

@@ -33,7 +33,10 @@ def test_names_in_a_table_are_not_taken_for_markup(capsys: pytest.CaptureFixture
     assert "[red]Goto[/red] :boom:" in capsys.readouterr().out
 
 
-def test_progress_without_a_terminal_is_a_line_now_and_then(capsys: pytest.CaptureFixture[str]) -> None:
+def test_progress_without_a_terminal_is_a_line_now_and_then(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(console, "QUIET", 10.0)
     times = iter([0.0, 5.0, 10.0, 10.0, 15.0])
     advance = console._lines("Running", 200, lambda: next(times))
     for done in (20, 100, 150):

@@ -103,6 +103,21 @@ def test_interrupted_it_says_how_to_go_on_and_does(
     assert [arm["runs"] for arm in json.loads(out)["arms"]] == [2, 2]
 
 
+def test_ctrl_c_while_it_compiles_is_heeded_and_said(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def compiling(*arguments: Any) -> None:
+        signal.raise_signal(signal.SIGINT)
+        assert arguments[3]()
+
+    monkeypatch.setattr("app.engine.experiments.runner.compile_ahead", compiling)
+    written(folder, document(arms=[{"name": "alone", "arm": "independent"}], claims=[]))
+    assert main(["experiment", str(folder), "small"]) == 130
+    said = capsys.readouterr().err
+    assert "0 runs of 2 are kept; the same command goes on" in said
+    assert said.endswith("understudy: interrupted\n")
+
+
 def test_a_figure_that_cannot_be_drawn_costs_nothing_else(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,7 @@ import json
 import signal
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -227,6 +228,19 @@ def test_ctrl_c_ends_all_runs_and_keeps_the_finished_ones(engine: str, jobs: int
     assert ran.results[2:] == (None, None)
     # Runs begin in their order, so whoever works on an endless one has finished a short one.
     assert any(one is not None for one in ran.results[:2])
+
+
+def test_ctrl_c_ends_compiling(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def compiling(*arguments: Any) -> None:
+        asked.append(arguments[:2])
+        signal.raise_signal(signal.SIGINT)
+        assert arguments[3]()
+
+    asked: list[tuple[Any, ...]] = []
+    monkeypatch.setattr("app.cli.worlds.compile_ahead", compiling)
+    with pytest.raises(KeyboardInterrupt):
+        run_plans(Bench(project(), folder), [Plan(arm, 1, 5) for arm in ARMS], 1, lambda _: None)
+    assert asked == [(foraging, "kinematic")]
 
 
 def test_what_was_finished_is_shown_when_the_user_interrupts(

@@ -15,7 +15,7 @@ import pytest
 from app.core.hierarchy import from_table
 from app.engine import compiling
 from app.engine.commands import Others, Pause, Pick, Play, Step, Teach
-from app.engine.compiling import COMPILING, KernelCompiler
+from app.engine.compiling import COMPILING, KernelCompiler, compile_ahead
 from app.engine.runs import Treatment, treatment
 from app.engine.scenarios import found_again, open_scenario, whereabouts
 from app.engine.session import Session
@@ -24,6 +24,9 @@ from app.sim.kernel import ahead
 from tests import kernel_faults
 from tests.corridor import corridor, project
 from tests.driver import UNCOMPILED
+
+#: Seconds that anything may take on a busy machine, on which importing numba takes long.
+PATIENCE = 300.0
 
 
 @pytest.fixture
@@ -117,13 +120,29 @@ def test_closing_in_the_middle_of_compiling_leaves_nothing_behind(
     monkeypatch.setattr(subprocess, "Popen", start)
     compiler = KernelCompiler(folder=tmp_path)
     compiler.start(alone(), 1)
-    assert running.wait(20.0)
+    assert running.wait(PATIENCE)
     assert "compiling" in left_in(tmp_path)[0]
     compiler.close()
     assert processes[0].returncode is not None
     assert left_in(tmp_path) == []
     assert not compilers()
     compiler.close()
+
+
+def test_whoever_does_not_want_to_wait_for_a_kernel_ends_compiling_at_once(tmp_path: Path) -> None:
+    said: list[str] = []
+    compile_ahead(corridor, "kinematic", said.append, lambda: True, tmp_path)
+    assert said == ["compiling the kernel of 'corridor', once"]
+    assert left_in(tmp_path) == []
+    assert not compilers()
+
+
+def test_what_is_kept_or_cannot_be_compiled_is_not_compiled_ahead(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compile_ahead(kernel_faults.unportable(), "kinematic", pytest.fail, lambda: True, tmp_path)
+    monkeypatch.setattr(ahead, "is_kept", lambda *_: True)
+    compile_ahead(corridor, "kinematic", pytest.fail, lambda: True, tmp_path)
 
 
 def test_a_process_ends_and_tidies_up_when_the_program_that_started_it_is_gone(tmp_path: Path) -> None:
@@ -140,7 +159,7 @@ def test_a_process_ends_and_tidies_up_when_the_program_that_started_it_is_gone(t
     process = subprocess.Popen(command, stdin=subprocess.PIPE)
     assert process.stdin is not None
     process.stdin.close()
-    assert process.wait(30.0) == 1
+    assert process.wait(PATIENCE) == 1
     assert left_in(tmp_path) == []
 
 

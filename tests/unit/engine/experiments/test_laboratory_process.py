@@ -1,18 +1,20 @@
 """Experiments in a process of their own: the same results, whatever happens to either side."""
 
+import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import pytest
 
 from app.core.errors import ScenarioError
 from app.core.project import Project
 from app.core.storage import load
+from app.engine.experiments import process
 from app.engine.experiments.laboratory import Laboratory, Look, Stage
-from app.engine.experiments.order import Order
+from app.engine.experiments.order import Order, Word
 from app.engine.experiments.plan import Experiment, Treated
 from app.engine.experiments.process import LaboratoryProcess
 from app.engine.scenarios import OWN_CODE, open_scenario
@@ -119,14 +121,46 @@ def test_it_ends_with_the_program_that_began_it(begin: Begin, tmp_path: Path) ->
     """A program that is killed closes its end of the pipe, and can do nothing more than that."""
     laboratory = begin(experiment(runs=MANY))
     until(laboratory, some_are_made)
-    process = laboratory._process
-    assert process is not None
-    assert process.stdin is not None
-    process.stdin.close()
-    process.wait(PATIENCE)
+    child = laboratory._process
+    assert child is not None
+    assert child.stdin is not None
+    child.stdin.close()
+    child.wait(PATIENCE)
     until(laboratory, lambda look: look.is_over)
     with opened(tmp_path / "results.sqlite", experiment(runs=MANY)) as results:
         assert results.count(2, MANY) > 0
+
+
+def test_a_word_that_comes_too_late_changes_nothing(begin: Begin, monkeypatch: pytest.MonkeyPatch) -> None:
+    follow = LaboratoryProcess._follow
+
+    def and_speak(self: LaboratoryProcess, looks: IO[bytes]) -> None:
+        follow(self, looks)
+        assert self._process is not None
+        self._process.wait(PATIENCE)
+        self._say(Word.PAUSE)
+
+    monkeypatch.setattr(LaboratoryProcess, "_follow", and_speak)
+    laboratory = begin(experiment())
+    laboratory._thread.join(PATIENCE)
+    assert (laboratory.newest.stage, laboratory.newest.notice) == (Stage.FINISHED, "")
+
+
+def test_a_process_that_ends_before_it_has_its_order_is_told_in_words(
+    begin: Begin, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    give = LaboratoryProcess._give
+
+    def too_late(self: LaboratoryProcess, orders: IO[bytes]) -> None:
+        assert self._process is not None
+        self._process.wait(PATIENCE)
+        give(self, orders)
+
+    monkeypatch.setattr(LaboratoryProcess, "_give", too_late)
+    monkeypatch.setattr(process, "python", lambda _: [sys.executable, "-c", "raise SystemExit(3)"])
+    look = until(begin(experiment()), lambda look: look.is_over)
+    assert look.stage is Stage.FAILED
+    assert "ended all of a sudden (exit code 3)" in look.notice
 
 
 def test_closing_waits_for_no_run(begin: Begin) -> None:

@@ -2,6 +2,7 @@
 
 import gc
 import tracemalloc
+from collections.abc import Callable
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -14,6 +15,8 @@ from app.engine.experiments.plan import Experiment, Treated
 from app.engine.experiments.runner import Controls, Progress, carry_out
 from app.engine.experiments.store import Results, ResultsError, Row
 from app.engine.runs import run, treatment
+from app.sim.engines import Notice
+from app.sim.scenario import Scenario
 from app.sim.scenarios.foraging import scenario
 from tests.unit.engine.experiments.small import EASY, boxes, experiment, factor, numbers, opened
 
@@ -124,6 +127,39 @@ def test_a_paused_experiment_can_be_cancelled(tmp_path: Path) -> None:
     controls.cancel()
     thread.join(300.0)
     assert not thread.is_alive()
+
+
+def test_what_was_cancelled_cannot_be_paused_any_more(tmp_path: Path) -> None:
+    controls = Controls()
+    controls.cancel()
+    controls.pause()
+    assert not controls.heed()
+
+
+def test_a_cancel_ends_compiling_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def compiling(of: Scenario, physics: str, _: Notice, cancelled: Callable[[], bool]) -> None:
+        asked.append((of.name, physics))
+        controls.cancel()
+        assert cancelled()
+
+    asked: list[tuple[str, str]] = []
+    controls = Controls()
+    monkeypatch.setattr(runner, "compile_ahead", compiling)
+    monkeypatch.setattr(runner, "start_engine", lambda *_, **__: pytest.fail("a run was begun"))
+    plan = experiment(arms=(Treated("alone", "independent", {"physics": "rigid"}),))
+    with opened(tmp_path / "r.sqlite", plan) as results:
+        assert not carry_out(boxes(), scenario, plan, results, 2, controls=controls)
+    assert asked == [("foraging", "rigid")]
+
+
+def test_what_runs_uncompiled_or_was_made_before_compiles_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan = experiment(arms=(Treated("alone", "independent"),), ticks=1, points=1)
+    made(tmp_path / "compiled.sqlite", plan)
+    monkeypatch.setattr(runner, "compile_ahead", lambda *_: pytest.fail("something was compiled"))
+    made(tmp_path / "compiled.sqlite", plan)
+    made(tmp_path / "reference.sqlite", experiment())
 
 
 def test_progress_tells_what_is_done_and_how_long_the_rest_takes(tmp_path: Path) -> None:
