@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from ...core.edits import add_type, delete_type, rename_type, set_subsidiaries
 from ...core.library import NodeType
 from ...core.naming import fresh_name
+from ..forms.buttons import stand_back
 from ..forms.parts import Complaint, Item, OrderedList, caption, framed
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class TypesPage(QWidget):
         self.add.setToolTip(
             "A new type with a library of its own; check who stands under it to make it a controller"
         )
-        self.add.setAutoDefault(False)
+        stand_back(self.add)
         self.add.clicked.connect(self._add)
         self.facts = QLabel()
         self.facts.setWordWrap(True)

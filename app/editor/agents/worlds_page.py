@@ -11,6 +11,7 @@ from ...core.edits import delete_world, rename_world, set_world
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
 from ...core.project import Value
+from ..forms.buttons import stand_back
 from ..forms.parameter_form import ParameterForm
 from ..forms.parts import Complaint, Item, OrderedList, caption
 
@@ -39,7 +40,7 @@ class WorldsPage(QWidget):
         self.worlds.renamed.connect(self._rename)
         self.add = QPushButton("Add world")
         self.add.setToolTip("A new set of parameters that arms can name")
-        self.add.setAutoDefault(False)
+        stand_back(self.add)
         self.add.clicked.connect(self._add)
         self.parameters = ParameterForm(studio.theme)
         self.parameters.changed.connect(self._set)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..forms.buttons import stand_back
 from ..icons import icon
 from ..letters import plain
 
@@ -88,7 +89,8 @@ class Question(QDialog):
     def _button(self, answer: Answer, *, first: bool) -> QPushButton:
         button = QPushButton(plain(answer.text))
         button.setDefault(first)
-        button.setAutoDefault(first)
+        if not first:
+            stand_back(button)
         button.setToolTip(answer.tip or answer.text)
         button.clicked.connect(lambda: self._answered(answer))
         return button
@@ -98,7 +100,7 @@ class Question(QDialog):
         foot.setSpacing(8)
         if self.details is not None:
             copy = QPushButton("Copy")
-            copy.setAutoDefault(False)
+            stand_back(copy)
             copy.setToolTip("Put the text above into the clipboard")
             copy.clicked.connect(self.copy)
             foot.addWidget(copy)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from ...core.errors import StorageError
 from ...engine.fresh import refuse_folder
+from ..forms.buttons import stand_back
 from .choosing import choose_folder
 from .private import writable
 
@@ -56,7 +57,7 @@ class Form:
         self.fine = QPushButton(fine)
         self.fine.setToolTip(tip)
         box.addButton(self.fine, QDialogButtonBox.ButtonRole.AcceptRole)
-        box.button(QDialogButtonBox.StandardButton.Cancel).setAutoDefault(False)
+        stand_back(box.button(QDialogButtonBox.StandardButton.Cancel))
         box.accepted.connect(dialog.accept)
         box.rejected.connect(dialog.reject)
         layout.addWidget(self._lead)
@@ -106,7 +107,7 @@ class PlaceEdit(QWidget):
         self.edit.textEdited.connect(self._edited)
         self.edit.textChanged.connect(lambda _: self.changed.emit())
         self.browse = QPushButton("Browse…")
-        self.browse.setAutoDefault(False)
+        stand_back(self.browse)
         self.browse.setToolTip("Choose the folder that the project's folder is to be in")
         self.browse.clicked.connect(self._browse)
         layout = QHBoxLayout(self)

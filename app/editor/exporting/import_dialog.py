@@ -34,6 +34,7 @@ from ...sim.scenario import Scenario
 from ..actions import ActionRow, when_open
 from ..documents.background import Background, Job
 from ..documents.choosing import choose_existing
+from ..forms.buttons import stand_back
 from ..forms.parts import Complaint, caption
 from ..letters import plain
 from ..selection import BehaviorKey
@@ -108,7 +109,7 @@ class ImportDialog(QDialog):
         self.path.editingFinished.connect(self._typed)
         self.browse = QPushButton("Browse…")
         self.browse.setToolTip("Choose another file")
-        self.browse.setAutoDefault(False)
+        stand_back(self.browse)
         self.browse.clicked.connect(self._browse)
         self.table = _table()
         self.arm = QCheckBox()

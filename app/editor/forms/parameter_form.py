@@ -26,6 +26,7 @@ from ...core.project import Value
 from ...sim.parameters import default
 from ..icons import icon
 from ..number_box import RealBox, roomy
+from .buttons import stand_back
 
 if TYPE_CHECKING:
     from ..theme import Theme
@@ -153,6 +154,7 @@ class ParameterForm(QWidget):
         clear.setProperty("flat", "true")
         clear.setAccessibleName(f"Take {name} from elsewhere")
         clear.clicked.connect(lambda: self.changed.emit(name, None))
+        stand_back(clear)
         return _Row(label, editor, clear)
 
     def _editor(self, name: str, declared: Field[Any]) -> Editor:

@@ -26,6 +26,7 @@ from ...core.errors import UnderstudyError
 from ...core.features import Binding, Ground, Parameter
 from ...core.vocabulary import Target
 from ..icons import icon
+from .buttons import stand_back
 from .tab_order import tab_through
 
 if TYPE_CHECKING:
@@ -167,6 +168,7 @@ class OrderedList(QWidget):
         button.setToolTip(tip)
         button.setAccessibleName(tip)
         button.clicked.connect(do)
+        stand_back(button)
         return button
 
     def _dress(self) -> None:

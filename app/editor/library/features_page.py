@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QPushButton, 
 from ...core.automaton import Automaton
 from ...core.edits import add_feature, drop_feature, move_feature, rebind_feature, rename_feature, tests_of
 from ...core.features import FeatureUse
+from ..forms.buttons import stand_back
 from ..forms.parts import Complaint, Item, OrderedList, caption
 from .editing import Editing
 from .source_form import SourceForm
@@ -37,13 +38,13 @@ class FeaturesPage(QWidget):
         self.new.what.entered.connect(self._entered)
         self.add = QPushButton("Add feature")
         self.add.setToolTip("Let the behavior look at this, too")
-        self.add.setAutoDefault(False)
+        stand_back(self.add)
         self.add.clicked.connect(self._add)
         self.missing = caption("")
         self.trouble = Complaint(theme)
         self.force = QPushButton(FORCE)
         self.force.setToolTip("The feature goes, and what tests it; undo brings all of it back")
-        self.force.setAutoDefault(False)
+        stand_back(self.force)
         self.force.hide()
         self.force.clicked.connect(self._force)
         self.source = SourceForm()

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from ...core.edits import rename_automaton, rename_parameter, set_note, set_parameters
 from ...core.naming import fresh_name
+from ..forms.buttons import stand_back
 from ..forms.list_choice import ListChoice
 from ..forms.parts import Complaint, Item, OrderedList, caption, framed
 from .editing import Editing
@@ -64,7 +65,7 @@ class GeneralPage(QWidget):
         self.parameters.renamed.connect(self._rename)
         self.add = QPushButton("Add parameter")
         self.add.setToolTip("A target that whoever uses the behavior chooses, such as where to go")
-        self.add.setAutoDefault(False)
+        stand_back(self.add)
         self.add.clicked.connect(self._add)
         self.parameter_trouble = Complaint(theme)
         self.note = QPlainTextEdit()

@@ -18,6 +18,7 @@ from ...core.features import Binding
 from ...core.library import known_flags
 from ...core.naming import shown_content, shown_state
 from ...core.vocabulary import FINISHED
+from ..forms.buttons import stand_back
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import Complaint, Item, OrderedList, SlotForm, caption
 from .editing import Editing
@@ -81,7 +82,7 @@ class StatesPage(QWidget):
         self.new.field.textChanged.connect(lambda _: self._ready())
         self.new.entered.connect(self._add)
         self.add.setToolTip("Add a state that holds this; type “raise” and a name for a flag of your own")
-        self.add.setAutoDefault(False)
+        stand_back(self.add)
         self.add.setEnabled(False)
         self.add.clicked.connect(self._add)
         self.trouble = Complaint(theme)

@@ -40,6 +40,17 @@ def test_closing_with_unsaved_work_can_save_it_first(desk: MainWindow, qtbot: Qt
     assert load(folder).note == "changed"
 
 
+def test_enter_gives_the_answer_that_has_the_keys(desk: MainWindow, qtbot: QtBot, folder: Path) -> None:
+    opened(desk, qtbot, folder)
+    changed(desk)
+    desk.close()
+    (cancel,) = (button for button in question(desk, qtbot).buttons if button.text() == "Cancel")
+    cancel.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.keyClick(cancel, Qt.Key.Key_Return)
+    assert desk.isVisible()
+    assert load(folder).note != "changed"
+
+
 def test_closing_with_everything_saved_does_not_ask(desk: MainWindow, qtbot: QtBot, folder: Path) -> None:
     opened(desk, qtbot, folder)
     with qtbot.waitSignal(desk.closed, timeout=PATIENCE):
