@@ -1,5 +1,6 @@
 """A node of a decision tree as it is drawn, with the line up to its parent."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -12,6 +13,8 @@ from ..theme import CAPTION, Theme, mixed, text_font
 from .shape import HEIGHT, WIDTH, Knot
 
 RADIUS, BAR, ARC = 7.0, 4.0, 20.0
+#: Pixels for one of the scene below which nobody can read, so that nothing is written.
+LEGIBLE = 0.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +26,7 @@ class NodeWords:
         under: How many examples, and how sure.
         bar: Share and color of each label, and whether a prune forbids it.
         arc: For a test of an angle: the arc, and the period.
+        tip: What is said under the mouse.
         is_leaf: Whether nothing is tested here.
     """
 
@@ -30,29 +34,39 @@ class NodeWords:
     under: str
     bar: tuple[tuple[float, QColor, bool], ...]
     arc: tuple[InArc, float] | None = None
+    tip: str = ""
     is_leaf: bool = False
 
 
 class NodeItem(QGraphicsItem):
-    """Draws one node.
+    """Draws one node; its words are found when it is seen first, since of a large tree most are not in sight.
 
     Attributes:
         knot: What it is, and where.
+        box: The box, around (0, 0).
     """
 
+    box = QRectF(-WIDTH / 2, -HEIGHT / 2, WIDTH, HEIGHT)
+
     def __init__(
-        self, knot: Knot, words: NodeWords, theme: Theme, parent_at: tuple[float, float] | None
+        self, knot: Knot, tell: Callable[[], NodeWords], theme: Theme, parent_at: tuple[float, float] | None
     ) -> None:
         super().__init__()
-        self.knot, self._words, self._theme = knot, words, theme
+        self.knot, self._tell, self._theme = knot, tell, theme
+        self._told: NodeWords | None = None
         self._lit = self._chosen = False
         self._up = None if parent_at is None else QPointF(*parent_at) - QPointF(*knot.at)
+        around = self.box.adjusted(-6, -6, 6, 20)
+        line = None if self._up is None else QRectF(self._up, self.box.center()).normalized()
+        self._around = around if line is None else around.united(line)  # with the line up
         self.setPos(QPointF(*knot.at))
 
     @property
-    def box(self) -> QRectF:
-        """The box, around (0, 0)."""
-        return QRectF(-WIDTH / 2, -HEIGHT / 2, WIDTH, HEIGHT)
+    def words(self) -> NodeWords:
+        """What stands in it."""
+        if self._told is None:
+            self._told = self._tell()
+        return self._told
 
     def expander(self) -> QRectF:
         """What opens what is hidden below; empty if nothing is."""
@@ -66,14 +80,16 @@ class NodeItem(QGraphicsItem):
             self.update()
 
     def boundingRect(self) -> QRectF:
-        """With the line up."""
-        around = self.box.adjusted(-6, -6, 6, 20)
-        return around if self._up is None else around.united(QRectF(self._up, self.box.center()).normalized())
+        """The box, and what is drawn around it."""
+        return self._around
 
     # -------------------------------------------------------------------------------------------- painting
 
     def paint(self, painter: QPainter, _option: object, _widget: object = None) -> None:
-        """Draw it."""
+        """Draw it; from afar, boxes and lines only."""
+        if painter.worldTransform().m11() < LEGIBLE:
+            self._paint_from_afar(painter)
+            return
         self._paint_line(painter)
         color = "accent" if self._lit else "hairline"
         painter.setPen(QPen(self._theme.color(color), 2.0 if self._lit else 1.2))
@@ -83,17 +99,32 @@ class NodeItem(QGraphicsItem):
             painter.setPen(QPen(self._theme.color("accent"), 1.5))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRoundedRect(self.box.adjusted(-4, -4, 4, 4), RADIUS + 3, RADIUS + 3)
+        self._paint_inside(painter)
+
+    def _paint_from_afar(self, painter: QPainter) -> None:
+        """In lines of a pixel, however small the box is."""
+        color = self._theme.color("accent") if self._lit or self._chosen else self._faint()
+        painter.setPen(QPen(color, 0))
+        painter.setBrush(color if self._chosen else self._theme.color("raised"))
+        if self._up is not None:
+            painter.drawLine(*self._line(self._up))
+        painter.drawRect(self.box)
+
+    def _paint_inside(self, painter: QPainter) -> None:
         self._paint_words(painter)
         self._paint_bar(painter)
-        if self._words.arc is not None:
-            self._paint_arc(painter, *self._words.arc)
+        if self.words.arc is not None:
+            self._paint_arc(painter, *self.words.arc)
         if self.knot.hidden:
             self._paint_hidden(painter)
+
+    def _line(self, up: QPointF) -> tuple[QPointF, QPointF]:
+        return up + QPointF(0, HEIGHT / 2), QPointF(0, -HEIGHT / 2)
 
     def _paint_line(self, painter: QPainter) -> None:
         if self._up is None:
             return
-        start, end = self._up + QPointF(0, HEIGHT / 2), QPointF(0, -HEIGHT / 2)
+        start, end = self._line(self._up)
         painter.setPen(
             QPen(self._theme.color("accent") if self._lit else self._faint(), 2.4 if self._lit else 1.4)
         )
@@ -112,11 +143,11 @@ class NodeItem(QGraphicsItem):
 
     def _paint_words(self, painter: QPainter) -> None:
         room = self.box.adjusted(6, 2, -6, -8)
-        if self._words.arc is not None:
+        if self.words.arc is not None:
             room.setRight(room.right() - ARC)
-        lines = wrapped(self._words.title, room.width(), 2, CAPTION, bold=self._words.is_leaf)
+        lines = wrapped(self.words.title, room.width(), 2, CAPTION, bold=self.words.is_leaf)
         height = room.height() / (len(lines) + 1)
-        painter.setFont(text_font(CAPTION, bold=self._words.is_leaf))
+        painter.setFont(text_font(CAPTION, bold=self.words.is_leaf))
         painter.setPen(self._theme.color("text"))
         for number, line in enumerate(lines):
             place = QRectF(room.left(), room.top() + number * height, room.width(), height)
@@ -124,13 +155,13 @@ class NodeItem(QGraphicsItem):
         painter.setFont(text_font(CAPTION))
         painter.setPen(self._theme.color("dim"))
         place = QRectF(room.left(), room.top() + len(lines) * height, room.width(), height)
-        under = elided(self._words.under, room.width(), CAPTION)
+        under = elided(self.words.under, room.width(), CAPTION)
         painter.drawText(place, Qt.AlignmentFlag.AlignCenter, under)
 
     def _paint_bar(self, painter: QPainter) -> None:
         room = QRectF(self.box.left() + RADIUS, self.box.bottom() - BAR - 3, WIDTH - 2 * RADIUS, BAR)
         left = room.left()
-        for share, color, is_pruned in self._words.bar:
+        for share, color, is_pruned in self.words.bar:
             width = share * room.width()
             pattern = Qt.BrushStyle.Dense6Pattern if is_pruned else Qt.BrushStyle.SolidPattern
             painter.fillRect(QRectF(left, room.top(), max(0.5, width - 1), BAR), QBrush(color, pattern))

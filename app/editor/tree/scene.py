@@ -1,16 +1,14 @@
 """The scene of a decision tree: an item for each node that is shown."""
 
 from collections.abc import Collection
+from functools import partial
 
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtWidgets import QGraphicsScene
+from PySide6.QtWidgets import QGraphicsScene, QGraphicsSceneHelpEvent
 
-from ...core.conditions import Condition
-from ...core.tree import Branch
-from ...export.graph import formal_words
 from ..theme import Theme
 from .node_item import NodeItem
-from .shape import ROOT, Key, Knot, below, shape
+from .shape import ROOT, Key, below, shape
 from .subject import Subject
 
 
@@ -48,16 +46,10 @@ class TreeScene(QGraphicsScene):
         knots = shape(subject.tree, self._opened, self._closed)
         for key, knot in knots.items():
             parent = knots[key // 2].at if key != ROOT else None
-            item = NodeItem(knot, subject.words(knot), self._theme, parent)
-            item.setToolTip(self._tip(subject, knot))
+            item = NodeItem(knot, partial(subject.words, knot), self._theme, parent)
             self.addItem(item)
             self.nodes[key] = item
         self.choose(self.chosen if self.chosen in self.nodes else 0)
-
-    def _tip(self, subject: Subject, knot: Knot) -> str:
-        node = knot.node
-        tested = [formal_words(Condition(node.test), subject.automaton)] if isinstance(node, Branch) else []
-        return "\n".join([*tested, subject.distribution(node)])
 
     def toggle(self, key: Key) -> None:
         """Show what is below a node, or hide it."""
@@ -108,12 +100,24 @@ class TreeScene(QGraphicsScene):
                     return item
         return None
 
+    def helpEvent(self, event: QGraphicsSceneHelpEvent) -> None:
+        """What is under the mouse says what it is."""
+        item = self.node_at(event.scenePos())
+        if item is not None:
+            item.setToolTip(item.words.tip)
+        super().helpEvent(event)
+
     def contents(self) -> QRectF:
         """The box around all nodes."""
-        found = QRectF()
-        for item in self.nodes.values():
-            found = found.united(item.mapRectToScene(item.box.adjusted(-8, -8, 8, 16)))
-        return found
+        if not self.nodes:
+            return QRectF()
+        xs, ys = zip(*(item.knot.at for item in self.nodes.values()), strict=True)
+        corner = QPointF(min(xs), min(ys))
+        return (
+            NodeItem.box.adjusted(-8, -8, 8, 16)
+            .translated(corner)
+            .united(NodeItem.box.adjusted(-8, -8, 8, 16).translated(QPointF(max(xs), max(ys))))
+        )
 
 
 def _is_below(key: Key, other: Key) -> bool:

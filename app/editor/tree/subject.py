@@ -16,6 +16,7 @@ from ...core.transition import pruned
 from ...core.tree import Branch, Forest, Tree, TreeNode, shares
 from ...core.vocabulary import Feature, Vocabulary
 from ...core.wording import condition_words, feature_of, state_words
+from ...export.graph import formal_words
 from .bins import Histogram, histogram
 from .node_item import NodeWords
 from .reaching import Reaching
@@ -113,10 +114,11 @@ class Subject:
         under = count_words(sum(knot.node.counts))
         if not isinstance(knot.node, Branch):
             name, p = self._outcome(knot.node, prunes)
-            return NodeWords(name, f"{under} · {p}", bar, is_leaf=True)
-        test = knot.node.test
-        question = condition_words(Condition(test), self.automaton, self.vocabulary) + "?"
-        return NodeWords(question, under, bar, self._arc(test))
+            return NodeWords(name, f"{under} · {p}", bar, tip=self.distribution(knot.node), is_leaf=True)
+        test = Condition(knot.node.test)
+        question = condition_words(test, self.automaton, self.vocabulary) + "?"
+        tip = f"{formal_words(test, self.automaton)}\n{self.distribution(knot.node)}"
+        return NodeWords(question, under, bar, self._arc(test.test), tip)
 
     @property
     def labels(self) -> tuple[str, ...]:

@@ -2,15 +2,22 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPoint, Qt
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START, Refit
+from app.core.conditions import Equals
 from app.core.edits import set_learned
-from app.core.tree import Forest, Tree
+from app.core.tree import Branch, Forest, Leaf, Tree
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
+from app.editor.tree.node_item import NodeWords
 from app.editor.tree.panel import TreePanel
+from app.editor.tree.shape import ROOT, Knot
+from app.editor.tree.subject import Subject
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
 
@@ -135,6 +142,62 @@ def test_of_a_forest_one_tree_is_chosen(panel: TreePanel, studio: Studio, qtbot:
         qtbot.keyClick(panel.which, Qt.Key.Key_Up)
     assert panel.subject is not None
     assert panel.subject.tree is other
+
+
+def full(depth: int) -> Leaf | Branch:
+    """A tree that tests something on every level."""
+    if depth == 0:
+        return Leaf((3.0, 1.0))
+    below = full(depth - 1)
+    size = 2.0 ** (depth - 1)
+    return Branch(test=Equals("sees", 1.0), yes=below, no=below, counts=(6.0 * size, 2.0 * size))
+
+
+def large(panel: TreePanel, studio: Studio, qtbot: QtBot, depth: int) -> None:
+    """Show such a tree, all of it open."""
+    automaton = studio.document.automaton(*FORAGE)
+    assert automaton is not None
+    tree = automaton.learned["wander"]
+    assert isinstance(tree, Tree)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        learned(studio, Tree(tree.labels, full(depth)))
+    for level in range(depth):
+        for key in range(2**level, 2 ** (level + 1)):
+            if 2 * key not in panel.scene.nodes:
+                panel.view.setFocus()
+                panel.choose(key)
+                qtbot.keyClick(panel.view, Qt.Key.Key_Return)
+    assert len(panel.scene.nodes) == 2 ** (depth + 1) - 1
+
+
+def test_of_a_large_tree_what_is_in_sight_is_written(
+    panel: TreePanel, studio: Studio, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[int] = []
+    words = Subject.words
+
+    def counted(subject: Subject, knot: Knot) -> NodeWords:
+        told.append(knot.key)
+        return words(subject, knot)
+
+    monkeypatch.setattr(Subject, "words", counted)
+    large(panel, studio, qtbot, depth=7)
+    panel.grab()
+    assert ROOT in told
+    assert len(set(told)) < len(panel.scene.nodes) / 2
+
+
+def test_a_node_seen_from_afar_says_under_the_mouse_what_it_is(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    large(panel, studio, qtbot, depth=6)
+    panel.view.fit_whole()
+    panel.grab()
+    place = panel.view.mapFromScene(panel.scene.nodes[37].scenePos())
+    hover = QHelpEvent(QEvent.Type.ToolTip, place, panel.view.viewport().mapToGlobal(place))
+    QApplication.sendEvent(panel.view.viewport(), hover)
+    assert "Wander 6, ReturnWithBox 2" in QToolTip.text()
+    QToolTip.hideText()
 
 
 def test_a_model_without_a_tree_says_so(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
