@@ -209,7 +209,9 @@ def test_the_standard_layout_leaves_no_tabs_of_another_one(
     window.docks["graph"].setFloating(True)
     for _ in range(2):
         studio.actions["view.standard"].trigger()
-    qtbot.waitUntil(lambda: tabs_on_the_window() == ["Examples", "Plots", "Problems"], timeout=PATIENCE)
+    qtbot.waitUntil(
+        lambda: tabs_on_the_window() == ["Examples", "Plots", "Problems", "Timeline"], timeout=PATIENCE
+    )
     assert not window.docks["graph"].isFloating()
 
 
