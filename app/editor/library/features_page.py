@@ -39,7 +39,7 @@ class FeaturesPage(QWidget):
         self.add = QPushButton("Add feature")
         self.add.setToolTip("Let the behavior look at this, too")
         stand_back(self.add)
-        self.add.clicked.connect(self._add)
+        self.add.clicked.connect(self._pressed)
         self.missing = caption("")
         self.trouble = Complaint(theme)
         self.force = QPushButton(FORCE)
@@ -136,6 +136,10 @@ class FeaturesPage(QWidget):
         """Enter goes on to what is left to choose, or else adds the feature."""
         if not self.new.go_on():
             self._add()
+
+    def _pressed(self) -> None:
+        self.new.what.field.setFocus()  # for the next one: the button has nothing to add then
+        self._add()
 
     def _add(self) -> None:
         source, automaton, scope = self.new.source, self._automaton, self._editing.scope

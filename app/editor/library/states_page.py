@@ -84,7 +84,7 @@ class StatesPage(QWidget):
         self.add.setToolTip("Add a state that holds this; type “raise” and a name for a flag of your own")
         stand_back(self.add)
         self.add.setEnabled(False)
-        self.add.clicked.connect(self._add)
+        self.add.clicked.connect(self._pressed)
         self.trouble = Complaint(theme)
         self.content = Chooser("What the state holds", "what the state holds")
         self.content.chosen.connect(self._content_chosen)
@@ -190,6 +190,10 @@ class StatesPage(QWidget):
 
     def _ready(self) -> None:
         self.add.setEnabled(self._new_content() is not None)
+
+    def _pressed(self) -> None:
+        self.new.field.setFocus()  # for the next one: the button has nothing to add then
+        self._add()
 
     def _add(self) -> None:
         content = self._new_content()

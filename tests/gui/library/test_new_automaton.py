@@ -150,6 +150,26 @@ def test_a_controller_is_made_from_what_its_subsidiaries_can_do(
     assert made.features[0].shown == "any IAmAttachedToABox"
 
 
+def test_after_adding_by_keys_the_next_one_can_be_typed(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    qtbot.waitUntil(dialog.isActiveWindow, timeout=PATIENCE)
+    dialog.tabs.setCurrentWidget(dialog.features)
+    page = dialog.features
+    choose(page.new.what, qtbot, "DistanceTo(target)")
+    target = page.new.slots.boxes["target"]
+    qtbot.keyClick(target, Qt.Key.Key_Down)
+    page.add.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.keyClick(page.add, Qt.Key.Key_Return)
+    assert page.new.what.field.hasFocus()
+    assert page.features.list.count() == 1
+    dialog.tabs.setCurrentWidget(dialog.states)
+    dialog.states.new.field.setFocus()
+    qtbot.keyClicks(dialog.states.new.field, "raise arrived")
+    dialog.states.add.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.keyClick(dialog.states.add, Qt.Key.Key_Return)
+    assert dialog.states.new.field.hasFocus()
+    assert dialog.states.states.list.count() == 2
+
+
 def test_a_feature_chosen_but_not_added_is_added_with_the_behavior(
     dialog: NewAutomatonDialog, studio: Studio, qtbot: QtBot
 ) -> None:
