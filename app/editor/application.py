@@ -2,7 +2,6 @@
 
 import gc
 import logging
-import signal
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -19,6 +18,7 @@ from .settings import Settings
 from .size import use_size
 from .studio import Studio
 from .theme import Theme
+from .told_to_end import ToldToEnd
 from .window.main_window import MainWindow
 
 #: Seconds after which a thread that computes lets the window have its turn. Qt gives its turn away at nearly every call, so
@@ -53,8 +53,8 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     application = make_application()
     window = make_window(application, chosen)
     runs = RunWindows(application, window)
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: close_when_told(window))
+    told = ToldToEnd()
+    told.came.connect(lambda: close_when_told(window))
     window.show()
     window.studio.opened.connect(window.guide.offer)
     if project is not None:
@@ -62,6 +62,7 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     window.files.offer_left_over(project)
     code = application.exec()
     runs.close()
+    told.close()
     return code
 
 
