@@ -115,7 +115,7 @@ class MainWindow(QMainWindow):
         self.search_field = SearchField(studio)
         self.menuBar().setCornerWidget(self.search_field)
         self.search_field.show()  # the bar alone would leave it hidden
-        self._standard = self.saveState()
+        self._standard = self.saveState(len(DOCKS))
         self._connect()
         self._opened()
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -176,10 +176,13 @@ class MainWindow(QMainWindow):
         self._size_docks_soon()
 
     def _put_back(self, state: QByteArray) -> bool:
-        """Let docks stand as they stood; tabs go first, since Qt leaves the old ones beside the new ones otherwise."""
+        """Let docks stand as they stood, unless there were other ones then: a new one would be nowhere.
+
+        Tabs go first, since Qt leaves the old ones beside the new ones otherwise.
+        """
         for dock in self.docks.values():
             self.removeDockWidget(dock)
-        return self.restoreState(state)
+        return self.restoreState(state, len(DOCKS))
 
     def _size_docks_soon(self) -> None:
         """Docks that have just been shown take sizes only once they have been laid out."""
@@ -305,7 +308,7 @@ class MainWindow(QMainWindow):
     def _keep_docks(self) -> None:
         """Remember where the docks stand, if they are there at all."""
         if self._docks_shown:
-            self.studio.settings.keep("state", self.saveState())
+            self.studio.settings.keep("state", self.saveState(len(DOCKS)))
         self._docks_shown = False
 
     def showEvent(self, event: QShowEvent) -> None:

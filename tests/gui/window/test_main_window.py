@@ -15,7 +15,9 @@ from app.editor.focus_frame import FocusFrame
 from app.editor.graph.view import GraphView
 from app.editor.preferences.dialog import Preferences
 from app.editor.selection import BehaviorKey
+from app.editor.settings import Settings
 from app.editor.studio import Studio
+from app.editor.theme import Theme
 from app.editor.window.docks import DOCKS
 from app.editor.window.main_window import MainWindow
 from app.editor.window.status_bar import StatusBar
@@ -196,6 +198,22 @@ def test_what_a_lesson_took_of_the_window_goes_back_after_it(
     qtbot.waitUntil(lambda: examples.height() < before, timeout=PATIENCE)
     studio.teaching.stop()
     qtbot.waitUntil(lambda: examples.height() >= before - 20, timeout=PATIENCE)
+
+
+def test_a_layout_from_before_there_was_some_panel_is_not_taken_up(
+    qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
+) -> None:
+    window.removeDockWidget(window.docks["timeline"])
+    settings.keep("state", window.saveState(len(DOCKS) - 1))
+    studio = Studio(Theme(qapp, settings.theme), settings)
+    later = MainWindow(studio)
+    qtbot.addWidget(later)
+    later.show()
+    studio.open(foraging, open_scenario(foraging), None, saved=True)
+    beside = later.tabifiedDockWidgets(later.docks["examples"])
+    assert later.docks["timeline"] in beside
+    later.hide()
+    studio.shut_down()
 
 
 def test_the_standard_layout_leaves_no_tabs_of_another_one(
