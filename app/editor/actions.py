@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAction, QKeySequence
 
 from .icons import icon
@@ -71,6 +71,26 @@ class ActionRow:
     says: Callable[[Studio], str] | None = None
 
 
+class _Action(QAction):
+    """Qt's action of a row.
+
+    Attributes:
+        by_keys: While it is carried out: whether its shortcut was pressed, rather than it was chosen somewhere.
+    """
+
+    by_keys = False
+
+    def event(self, event: QEvent) -> bool:
+        """Be carried out by a shortcut, among others."""
+        if event.type() is not QEvent.Type.Shortcut:
+            return super().event(event)
+        self.by_keys = True
+        try:
+            return super().event(event)
+        finally:
+            self.by_keys = False
+
+
 class Actions(QObject):
     """The actions of the window by id."""
 
@@ -78,7 +98,7 @@ class Actions(QObject):
         super().__init__()
         self._studio = studio
         self._rows: dict[str, ActionRow] = {}
-        self._actions: dict[str, QAction] = {}
+        self._actions: dict[str, _Action] = {}
         self._letters: dict[str, str] = {}
 
     @property
@@ -89,6 +109,10 @@ class Actions(QObject):
     def __getitem__(self, action_id: str) -> QAction:
         """Qt's action of a row."""
         return self._actions[action_id]
+
+    def is_by_keys(self, action_id: str) -> bool:
+        """Whether an action is carried out just now because its shortcut was pressed."""
+        return self._actions[action_id].by_keys
 
     def add(self, rows: Iterable[ActionRow]) -> None:
         """Add rows; their ids must be new."""
@@ -125,8 +149,8 @@ class Actions(QObject):
         """The shortcut in force: the user's, or the row's own."""
         return self._studio.settings.keys.get(action_id, self._rows[action_id].keys)
 
-    def _made(self, row: ActionRow) -> QAction:
-        action = QAction(self)
+    def _made(self, row: ActionRow) -> _Action:
+        action = _Action(self)
         action.setObjectName(row.id)
         action.setCheckable(row.checked is not None)
         action.setShortcut(QKeySequence(self.keys_of(row.id)))

@@ -103,6 +103,7 @@ QSplitter::handle:horizontal {{ background: {HAIRLINE}; width: 5px; margin: 0 2p
 QSplitter::handle:vertical {{ background: {HAIRLINE}; height: 5px; margin: 2px 0; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {HOVERED}; }}
+QToolButton[flat="true"]:focus {{ border: 1px solid {ACCENT}; padding: 2px; }}
 QComboBox QAbstractItemView, #completions {{ background: {RAISED}; border: 1px solid {HAIRLINE}; }}
 QComboBox {{ selection-background-color: {CHOSEN}; selection-color: {WORDS}; }}
 QComboBoxPrivateContainer {{ border: none; }}

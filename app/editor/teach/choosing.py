@@ -114,7 +114,7 @@ class Choosing(QObject):
         """Ask the user to click what *slot* is to be."""
         self.wanted = slot
         of = self.adding.name if self.adding is not None else getattr(self._teaching.automaton, "name", "")
-        self._teaching.choose_requested.emit(f"click what {slot} of {of} is to be")
+        self._teaching.choose_requested.emit(f"click what {slot} of {of} is to be, or press Enter for a list")
         self.changed.emit()
 
     def entity_chosen(self, entity: int) -> None:

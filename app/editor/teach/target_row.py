@@ -32,17 +32,23 @@ class TargetRow(QWidget):
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(6)
         self._shown: tuple[object, ...] = ()
+        self._asks = False
         self.menus: dict[str, QToolButton] = {}
         self.clicks: dict[str, QToolButton] = {}
         self.cancel: QToolButton | None = None
         self._choosing.changed.connect(self.refresh)
         self._choosing.several.connect(self._offer)
+        studio.teaching.choose_requested.connect(self._ask)
         studio.teaching.changed.connect(self.refresh)
         studio.document.project_changed.connect(self.refresh)
         studio.opened.connect(self.refresh)
         studio.selection.behavior_changed.connect(self.refresh)
         studio.theme.changed.connect(self._rebuild)
         self.refresh()
+
+    def _ask(self) -> None:
+        """What a slot is to be is asked for: by keys as well, once the row shows it."""
+        self._asks = True
 
     def refresh(self) -> None:
         """Show the slots that there are, if they are others now."""
@@ -53,8 +59,17 @@ class TargetRow(QWidget):
         if shown != self._shown:
             self._shown = shown
             self._rebuild()
+        if self._asks and choosing.wanted:
+            self.menus[choosing.wanted].setFocus(Qt.FocusReason.TabFocusReason)  # Enter opens the list
+            self._asks = False
 
     def _rebuild(self) -> None:
+        had_keys = self.window().focusWidget() in self.findChildren(QWidget)  # also while a menu has them
+        self._build()
+        if had_keys:
+            self.window().setFocus()  # rather than a field, which would take keys that are shortcuts
+
+    def _build(self) -> None:
         while (item := self._layout.takeAt(0)) is not None:
             widget = item.widget()
             if widget is not None:

@@ -25,7 +25,7 @@ from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
-from .docks import DOCKS, Dock, place_docks, share_places, size_docks
+from .docks import DOCKS, Dock, has_keys, is_in_sight, place_docks, share_places, size_docks
 from .help_rows import help_rows
 from .keys import OwnKeys
 from .menu_bar import fill_menu_bar, letter_menus, menu_bar_rows
@@ -150,6 +150,14 @@ class MainWindow(QMainWindow):
         dock.raise_()
         dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def hide_panel(self, panel: str) -> None:
+        """Put a panel away; keys that went to it go to the window, not to the next field, which would take shortcuts."""
+        dock = self.docks[panel]
+        had_keys = has_keys(dock)
+        dock.hide()
+        if had_keys:
+            self.setFocus()
+
     def _catalog(self) -> Catalog:
         """All that the command palette finds now."""
         settings = [
@@ -203,9 +211,20 @@ class MainWindow(QMainWindow):
         if not floating:
             QTimer.singleShot(0, self, lay_out)
 
+    def _go_on(self, steps: int) -> None:
+        """Let keys go to the world or a panel in sight, so many places after where they go now."""
+        places = [self.canvas, *(dock.widget() for dock in self.docks.values() if is_in_sight(dock))]
+        at = next((k for k, place in enumerate(places) if has_keys(place)), -1 if steps > 0 else 0)
+        for further in range(1, len(places) + 1):
+            place = places[(at + further * steps) % len(places)]
+            place.setFocus(Qt.FocusReason.ShortcutFocusReason)
+            if has_keys(place):  # one that says what to do first may have nothing that takes keys
+                return
+
     def _dock_rows(self) -> tuple[ActionRow, ...]:
         return (
             *(self._dock_row(self.docks[row.id]) for row in DOCKS),
+            *self._way_rows(),
             ActionRow(
                 "view.standard",
                 "Standard layout",
@@ -218,14 +237,38 @@ class MainWindow(QMainWindow):
             ),
         )
 
+    def _way_rows(self) -> tuple[ActionRow, ...]:
+        def row(name: str, text: str, steps: int, keys: str, icon: str) -> ActionRow:
+            tip = f"Let keys go to the {text.lower()} in sight, or to the world"
+            return ActionRow(
+                f"view.{name}",
+                text,
+                "View",
+                lambda _: self._go_on(steps),
+                "panels",
+                keys,
+                tip,
+                icon,
+                enabled=when_open,
+            )
+
+        return (
+            row("next", "Next panel", 1, "F6", "arrow-right"),
+            row("previous", "Previous panel", -1, "Shift+F6", "arrow-left"),
+        )
+
     def _dock_row(self, dock: Dock) -> ActionRow:
         row = dock.row
 
-        def toggle(_studio: Studio) -> None:
-            if dock.isVisible() and not dock.visibleRegion().isEmpty():
-                dock.hide()
+        def toggle(studio: Studio) -> None:
+            if not is_in_sight(dock):
+                self.show_panel(row.id)
+            elif has_keys(dock) or not studio.actions.is_by_keys(f"view.{row.id}"):
+                self.hide_panel(row.id)
             else:
                 self.show_panel(row.id)
+                if not has_keys(dock):  # it has nothing that takes keys
+                    self.hide_panel(row.id)
 
         return ActionRow(
             f"view.{row.id}",
@@ -234,7 +277,7 @@ class MainWindow(QMainWindow):
             toggle,
             "panels",
             row.keys,
-            f"Show or hide the panel {row.title}",
+            f"Show or hide the panel {row.title}; pressed elsewhere, its keys go into it",
             enabled=when_open,
             checked=lambda _: not dock.isHidden(),
         )

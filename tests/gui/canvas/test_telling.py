@@ -225,7 +225,7 @@ def test_a_click_on_nothing_while_something_is_to_be_chosen_is_answered(pilot: P
     pilot.choose("teach.teach")
     pilot.wait(lambda: pilot.studio.teaching.choosing.is_busy)
     pilot.click(pilot.nowhere())
-    assert said == ["nothing is at that place; click what X of Goto is to be"]
+    assert said == ["nothing is at that place; click what X of Goto is to be, or press Enter for a list"]
     assert pilot.studio.teaching.choosing.is_busy
 
 

@@ -1,6 +1,6 @@
 """The teach panel: what can be picked, by clicks and keys, and what a pick does."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 
 from app.core.automaton import Basic, Nested
 from app.core.edits import add_automaton, add_feature
@@ -106,6 +106,27 @@ def test_a_behavior_with_a_slot_asks_for_its_target_and_is_picked_then(hand: Han
     assert told[0].startswith("nearest visible box   (")
     assert hand.automaton.states[-1].content == Nested("goto", {"X": Ground("deposit")})
     assert hand.acts == 1
+
+
+def test_a_target_is_chosen_by_keys_alone_and_keys_pick_on_then(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    goto = next(choice for choice in hand.page.choices if choice.name == "Goto")
+    hand.key(Qt.Key(ord(goto.key)))
+    chooser = hand.page.targets.menus["X"]
+    assert chooser.hasFocus()
+    menu = chooser.menu()
+
+    def choose_first() -> None:
+        hand.qtbot.keyClick(menu, Qt.Key.Key_Down)
+        hand.qtbot.keyClick(menu, Qt.Key.Key_Return)
+
+    menu.aboutToShow.connect(lambda: QTimer.singleShot(0, menu, choose_first))
+    hand.act(lambda: hand.qtbot.keyClick(chooser, Qt.Key.Key_Return))
+    assert hand.automaton.states[-1].content == Nested("goto", {"X": Ground("nearest visible box")})
+    hand.window.activateWindow()  # without a screen, nobody gives the keys back once a menu has closed
+    hand.wait(hand.window.hasFocus)
+    hand.act(lambda: hand.key(Qt.Key.Key_1))
+    assert hand.acts == 1  # the second replaces the first, which no tick has carried out
 
 
 def test_escape_gives_up_a_target_first_and_ends_the_lesson_then(hand: Hand) -> None:

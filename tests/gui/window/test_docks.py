@@ -9,14 +9,15 @@ from app.core.project import Project
 from app.editor.settings import Settings
 from app.editor.studio import Studio
 from app.editor.theme import Theme, ThemeMode
-from app.editor.window.docks import DOCKS
+from app.editor.window.docks import DOCKS, has_keys
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import said
 
 #: Panels that only say what to do first, as long as nobody is selected and nothing is wrong.
 NOTHING_YET = ("inspector", "problems")
-ALT = Qt.KeyboardModifier.AltModifier
+ALT, NO_KEY = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 def in_sight(window: MainWindow, panel: str) -> bool:
@@ -40,10 +41,41 @@ def test_alt_and_a_digit_brings_a_panel_to_the_front_and_hides_it_there(
     qtbot.waitUntil(lambda: not in_sight(window, panel))
 
 
+def test_alt_and_a_digit_goes_into_a_panel_in_sight_before_it_hides_it(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    window.canvas.setFocus()
+    qtbot.keyClick(window.canvas, Qt.Key.Key_1, ALT)
+    assert in_sight(window, "library")
+    assert has_keys(window.docks["library"])
+    qtbot.keyClick(window.docks["library"].widget(), Qt.Key.Key_1, ALT)
+    assert not in_sight(window, "library")
+    assert window.hasFocus()  # no field, which would take keys that are shortcuts
+
+
+def test_the_entry_of_the_menu_hides_a_panel_wherever_the_keys_go(window: MainWindow) -> None:
+    window.canvas.setFocus()
+    window.studio.actions["view.library"].trigger()
+    assert not in_sight(window, "library")
+
+
+def test_f6_goes_through_the_world_and_all_panels_in_sight(window: MainWindow, qtbot: QtBot) -> None:
+    places = {"world": window.canvas, **{name: dock.widget() for name, dock in window.docks.items()}}
+    seen = [name for name in places if name == "world" or in_sight(window, name)]
+    for keys in (NO_KEY, SHIFT):
+        window.setFocus()
+        met = []
+        for _ in seen:
+            qtbot.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_F6, keys)
+            met += [name for name, place in places.items() if has_keys(place)]
+        assert set(met) == set(seen) - {"inspector"}
+        assert met[0] == ("world" if keys is NO_KEY else seen[-1])
+
+
 def test_panels_are_found_where_they_were_left_the_last_time(
     qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
 ) -> None:
-    qtbot.keyClick(window, Qt.Key.Key_1, ALT)
+    window.studio.actions["view.library"].trigger()
     qtbot.keyClick(window, Qt.Key.Key_9, ALT)
     window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, window.docks["inspector"])
     qtbot.waitUntil(lambda: not in_sight(window, "library") and in_sight(window, "plots"))
