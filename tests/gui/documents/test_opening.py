@@ -16,7 +16,7 @@ from app.editor.problems.model import FIX, WHAT
 from app.editor.problems.panel import ProblemsPanel
 from app.editor.window.main_window import MainWindow
 from app.engine.shipped import shipped_projects
-from tests.gui.conftest import FORAGING, PATIENCE
+from tests.gui.conftest import FORAGING, PATIENCE, said
 
 from .desk import answer, idle, opened, press, question
 
@@ -152,3 +152,14 @@ def test_recent_projects_are_in_the_file_menu(desk: MainWindow, qtbot: QtBot, fo
     (entry,) = desk.recent.actions()
     entry.trigger()
     qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
+
+
+def test_recent_projects_of_one_name_are_told_apart_and_the_one_that_is_open_is_left_out(
+    desk: MainWindow, qtbot: QtBot, folder: Path, tmp_path: Path
+) -> None:
+    twins = [tmp_path / where / "foraging" for where in ("here", "there")]
+    for twin in twins:
+        desk.studio.settings.remember(twin)
+    opened(desk, qtbot, folder)
+    desk.recent.aboutToShow.emit()
+    assert {said(action) for action in desk.recent.actions()} == {f"foraging in {t.parent}" for t in twins}

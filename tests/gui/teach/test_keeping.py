@@ -93,7 +93,8 @@ def test_where_it_would_not_do_the_same_it_is_not_kept_and_that_is_said(hand: Ha
     hand.undo()
     hand.pick("RotateLeft")
     assert kept(hand) == []
-    assert "not kept" in hand.page.badge.text()
+    assert "no demonstration" in hand.page.badge.text()
+    assert "learned from like all else" in hand.page.badge.toolTip()
     assert "moved back" in hand.page.badge.toolTip()
 
 
