@@ -22,6 +22,8 @@ from .number_field import NumberField
 from .offers import Choice
 
 FARTHEST = 1e9
+#: Pixels of a name that has room for the comparison beside it, in the narrowest window.
+MOST_BESIDE = 88
 
 
 class ConditionRow(QWidget):
@@ -74,7 +76,7 @@ class ConditionRow(QWidget):
         self.how.setMinimumContentsLength(6)
         self._layout.addWidget(self.how, 2)
         self._fill()
-        if isinstance(condition.test, InArc):  # two numbers are too much for one line
+        if isinstance(condition.test, InArc) or self._is_long(use.shown):  # too much for one line
             self._layout.setContentsMargins(24, 0, 0, 0)
             column.addLayout(self._layout)
         else:
@@ -87,6 +89,10 @@ class ConditionRow(QWidget):
         remove.clicked.connect(self.removed)
         first.addWidget(remove)
         self.what.activated.connect(self._what_chosen)
+
+    def _is_long(self, name: str) -> bool:
+        """Whether what is tested would be cut off beside the comparison."""
+        return self.fontMetrics().horizontalAdvance(name) > MOST_BESIDE
 
     def _offer(self, uses: list[Choice], others: list[Choice], use: FeatureUse) -> None:
         for name, value in uses:

@@ -3,7 +3,7 @@
 from itertools import combinations
 
 from PySide6.QtCore import QPoint, QRect, QRectF, Qt
-from PySide6.QtWidgets import QScrollArea, QToolButton
+from PySide6.QtWidgets import QComboBox, QScrollArea, QStyle, QStyleOptionComboBox, QToolButton
 
 from app.core.automaton import START
 from app.core.conditions import AtMost, Condition, Equals
@@ -15,6 +15,7 @@ from tests.gui.graph.author import Author, automaton
 
 AUTHORED = BehaviorKey("authored-agent", "forage")
 CORNER = QPoint(140, 90)
+COMBO, EDIT_FIELD = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
 
 
 def test_dragging_from_the_handle_draws_a_transition_and_asks_when(
@@ -220,3 +221,20 @@ def test_what_was_learned_becomes_rules_and_back(author: Author, studio: Studio)
     assert [rule.target for rule in automaton(author).rules_of("wander")] == ["return-with-box", "wander"]
     author.trigger("graph.unauthor")
     assert automaton(author).rules == ()
+
+
+def test_in_a_narrow_panel_what_is_tested_can_be_read_in_full(author: Author) -> None:
+    author.panel.resize(340, 600)
+    author.show(AUTHORED)
+    author.link("Wander", "ReturnWithBox")
+    for number, what in enumerate(("IAmAttachedToABox", "DistanceTo(deposit)", "DirectionTo(deposit)")):
+        author.test(what)
+        box = author.row(number).what
+        needed = box.fontMetrics().horizontalAdvance(what)
+        assert box.style().subControlRect(COMBO, shown(box), EDIT_FIELD, box).width() >= needed
+
+
+def shown(box: QComboBox) -> QStyleOptionComboBox:
+    option = QStyleOptionComboBox()
+    option.initFrom(box)
+    return option
