@@ -105,7 +105,7 @@ class KernelCompiler:
             engine.obstacle = ""
             return KernelEngine(engine.start, folder=self._folder, over=engine)
         engine.obstacle = (
-            f"{wanted.problem}; it runs uncompiled, which is slower" if wanted.done else COMPILING
+            f"{wanted.problem}; it runs uncompiled, which is slower" if wanted.done else wanted.notice
         )
         return engine
 
@@ -121,6 +121,7 @@ class _Compilation:
     Attributes:
         done: It is there, or cannot be.
         problem: Why it cannot be.
+        notice: What is going on, if that takes long; nothing where it is but loaded.
     """
 
     def __init__(
@@ -128,6 +129,7 @@ class _Compilation:
     ) -> None:
         self.done = False
         self.problem = ""
+        self.notice = ""
         self._scenario = scenario
         self._physics = physics
         self._ready = ready
@@ -177,6 +179,8 @@ class _Compilation:
         """Compile in another process and in a folder of its own, so that what is half done is in nobody's way."""
         from ..sim.kernel import ahead  # noqa: PLC0415 - as above
 
+        self.notice = COMPILING
+        self._ready()
         where = whereabouts(self._scenario)
         room = Path(mkdtemp(dir=folder, prefix="compiling-"))
         try:

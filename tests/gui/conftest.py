@@ -17,7 +17,9 @@ from app.editor.settings import Settings
 from app.editor.studio import Studio
 from app.editor.theme import Theme, ThemeMode
 from app.editor.window.main_window import MainWindow
+from app.engine.compiling import compile_ahead
 from app.engine.scenarios import open_scenario
+from app.sim.physics import KINEMATIC
 from tests import patient_bot
 from tests.patient_bot import have_done_what_is_due
 
@@ -54,6 +56,12 @@ def settings(tmp_path: Path) -> Settings:
 def foraging() -> Project:
     """The shipped project, loaded once: it is a value."""
     return load(FORAGING)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def kernel(foraging: Project) -> None:
+    """The kernel is there, as on every day but the first: no test is told in its middle that it is being compiled."""
+    compile_ahead(open_scenario(foraging), KINEMATIC, lambda _: None, lambda: False)
 
 
 @pytest.fixture

@@ -89,7 +89,8 @@ def test_the_world_is_the_same_as_if_it_had_been_compiled_from_the_start(
     whole = Session(project(), corridor, "alone", settings=UNCOMPILED)
     for session in (moving, whole):
         session.advance(30)
-    assert moving.advance(0).engine == "reference"
+    waiting = moving.advance(0)
+    assert (waiting.engine, waiting.notice) == ("reference", ""), "nobody is told of what takes a moment"
     gate.set()
     done(compiler)
     assert moving.advance(0).engine == "compiled"
