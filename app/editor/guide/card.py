@@ -62,6 +62,7 @@ class Guide(QFrame):
         self.close_button, self.back, self.skip = QToolButton(), QPushButton("Back"), QPushButton("Skip")
         self._build()
         over.installEventFilter(self)
+        window.canvas.on_top.legend.resized.connect(self._place)
         studio = self._studio
         studio.bridge.event_came.connect(self._event_came)
         for signal in (
@@ -232,6 +233,7 @@ class Guide(QFrame):
         if STEPS[self.step].done(seen):
             self._go(self.step + 1)
         elif snapshot is not None:
+            STEPS[self.step].prepares(self._studio)
             self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
@@ -250,7 +252,7 @@ class Guide(QFrame):
     # ------------------------------------------------------------------------------------------------ looks
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay in the corner of the canvas."""
+        """Stay in the corner of the canvas, above the legend where that reaches there."""
         if watched is self._over and event.type() == QEvent.Type.Resize:
             self._place()
         return super().eventFilter(watched, event)
@@ -258,9 +260,10 @@ class Guide(QFrame):
     def _place(self) -> None:
         width = min(WIDTH, self._over.width() - 2 * AWAY)
         height = self.heightForWidth(width)
-        self.setGeometry(
-            self._over.width() - width - AWAY, self._over.height() - height - AWAY, width, height
-        )
+        left, canvas = self._over.width() - width - AWAY, self._window.canvas
+        legend_reaches = canvas.on_top.legend.geometry().right() >= left - AWAY
+        below = round(canvas.on_top.below) if legend_reaches else AWAY
+        self.setGeometry(left, self._over.height() - height - below, width, height)
 
     def _dress(self) -> None:
         theme = self._studio.theme

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ...engine.snapshots import Mode, Picked
+from .pupil import choose_pupil
 from .scratch import FORAGE, TYPE, WANDER
 
 if TYPE_CHECKING:
@@ -39,6 +40,10 @@ def _never(_seen: Seen) -> int | None:
     return None
 
 
+def _nothing(_studio: Studio) -> None:
+    return None
+
+
 @dataclass(frozen=True, slots=True)
 class Step:
     """One thing to do.
@@ -49,6 +54,7 @@ class Step:
         done: Whether it was done.
         stops: After how many ticks time is to stand still, so that the right moment cannot be missed; None while that
             is not known.
+        prepares: Sees to what has to be so before it can be done.
     """
 
     title: str
@@ -56,6 +62,7 @@ class Step:
     points_at: str
     done: Callable[[Seen], bool]
     stops: Callable[[Seen], int | None] = _never
+    prepares: Callable[[Studio], object] = _nothing
 
 
 def _teaches(automaton: str) -> Callable[[Seen], bool]:
@@ -174,7 +181,13 @@ FORAGING: tuple[Step, ...] = (
         "panel:library",
         _shows(FORAGE),
     ),
-    Step("Take an agent in hand", "Press Teach (T).", "action:teach.teach", _teaches(FORAGE)),
+    Step(
+        "Take an agent in hand",
+        "Press Teach (T). The agent that is selected sees no box yet.",
+        "action:teach.teach",
+        _teaches(FORAGE),
+        prepares=choose_pupil,
+    ),
     Step(
         "Let it search",
         "Pick Wander.",

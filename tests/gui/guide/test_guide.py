@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.tree import Tree
+from app.editor.guide.pupil import distances
 from app.editor.guide.ring import found
 from app.editor.guide.scratch import NAME, scratch_project
 from app.editor.guide.steps import FORAGING, SECOND, STEPS
@@ -153,11 +154,14 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     window: MainWindow, qtbot: QtBot
 ) -> None:
     studio = window.studio
+    window.resize(1280, 800)
     studio.settings.lesson_step = SECOND
     begin(window, qtbot)
     choose_in_library(window, qtbot, RowKey("agent", "wander"))  # Forage may be chosen already
     choose_in_library(window, qtbot, RowKey("agent", "forage"))
     at(window, qtbot, "Take an agent in hand")
+    studio.selection.select_nodes([near_a_box(window)])
+    qtbot.waitUntil(lambda: studio.selection.node != near_a_box(window), timeout=PATIENCE)
     qtbot.keyClick(window, Qt.Key.Key_T)
     at(window, qtbot, "Let it search")
     faster(window, qtbot, 8.0)
@@ -176,6 +180,12 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     qtbot.waitUntil(
         lambda: studio.snapshot is not None and studio.snapshot.measures["boxes"] > 3, timeout=PATIENCE
     )
+    labels: dict[tuple[object, ...], set[str]] = {}
+    for example in studio.document.project.examples_of("agent", "forage"):
+        labels.setdefault((example.source, *sorted(example.values.items())), set()).add(example.label)
+    assert all(len(found) == 1 for found in labels.values()), "nothing contradicts anything"
+    card, legend = window.guide.geometry(), window.canvas.on_top.legend.geometry()
+    assert not card.intersects(legend)
 
 
 def test_who_lets_time_go_on_at_a_box_is_stopped_again_at_the_next(window: MainWindow, qtbot: QtBot) -> None:
@@ -193,6 +203,13 @@ def test_who_lets_time_go_on_at_a_box_is_stopped_again_at_the_next(window: MainW
     play_until(window, qtbot, "sees")
     walk_on(window, qtbot)
     qtbot.waitUntil(lambda: seen_by(window, "sees") and time_stands_still(window)(), timeout=PATIENCE)
+
+
+def near_a_box(window: MainWindow) -> str:
+    """The agent nearest to a box."""
+    snapshot = window.studio.snapshot
+    assert snapshot is not None
+    return snapshot.place.agents[int(distances(snapshot).argmin())]
 
 
 def choose_in_library(window: MainWindow, qtbot: QtBot, key: RowKey) -> None:
