@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
 
+from ...core.amounts import counted
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
 from ...engine.worker import Worker
 from ..forms.nothing import NothingFound
@@ -92,7 +93,7 @@ class ExamplesPanel(QWidget):
         self._judge_soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._judge_soon.timeout.connect(self._judge)
         for signal in (studio.document.project_changed, studio.opened, studio.selection.behavior_changed):
-            signal.connect(self._soon.ask)
+            signal.connect(self._changed)
         self.table.edit_ended.connect(self._soon.ask)
         self.table.customContextMenuRequested.connect(self._menu)
         studio.selection.examples_changed.connect(self._show_selected)
@@ -132,6 +133,20 @@ class ExamplesPanel(QWidget):
         if not self._closed:
             self._judge_soon.start()
 
+    def _changed(self) -> None:
+        """Judge no more what may not be shown any more, and show soon what is."""
+        self._soon.ask()
+        if self._worker.busy and not self._matters():
+            self._worker.give_up()
+            self._judge_soon.start()  # it may be shown again by then
+
+    def _matters(self) -> bool:
+        """Whether what is judged is what there is to show."""
+        (subject, examples), matter = self._subject(), self._matter
+        if subject is None or matter is None:
+            return False
+        return matter.automaton is subject.automaton and matter.examples is examples
+
     def _judge(self) -> None:
         if self._matter is not None:
             self._worker.ask(self._matter)
@@ -161,7 +176,7 @@ class ExamplesPanel(QWidget):
     def _say_counts(self) -> None:
         """Say how many pass, and select what is selected."""
         shown, there = self.model.counts
-        self.filters.count.setText(f"{shown:,} of {there:,}" if shown != there else f"{there:,} examples")
+        self.filters.count.setText(f"{shown:,} of {there:,}" if shown != there else counted(there, "example"))
         self.filters.clear.setEnabled(not self.filters.is_open)
         self.title_changed.emit(f"Examples {there:,}" if there else "Examples")
         self._show_selected()

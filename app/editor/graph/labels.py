@@ -29,15 +29,19 @@ def _how(edge: Edge, first: Way, *, many: bool) -> str:
     if first.kind is WayKind.RULE:
         orders = [str(way.order) for way in edge.rules]
         rules = f"rule{'s' if len(orders) > 1 else ''} {', '.join(orders)}"
-        learned = f" · {number(edge.support)} examples" if edge.support else ""
+        learned = f" · {_supporting(edge)}" if edge.support else ""
         return rules + (" · never reached" if first.shadowed else "") + learned
     if first.prunes:
         return "pruned"
     if many:
-        return f"{number(edge.support)} example{'' if edge.support == 1.0 else 's'}"
+        return _supporting(edge)
     p = f"{first.probability:.1f}" if first.probability in (0.0, 1.0) else number(first.probability, 2)
     ending = " · rules decide" if first.shadowed else f" · p {p}"
     return f"{number(first.support)} of {number(first.total)}{ending}"
+
+
+def _supporting(edge: Edge) -> str:
+    return f"{number(edge.support)} example{'' if edge.support == 1.0 else 's'}"
 
 
 #: A space at which no line is broken.

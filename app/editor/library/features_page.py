@@ -121,7 +121,10 @@ class FeaturesPage(QWidget):
         examples = self._editing.project.examples_of(self._editing.type, self._editing.id)
         lacking = [e for e in examples if use.id not in e.values]
         if not lacking:
-            return f"All {len(examples)} examples have its value." if examples else "No examples yet."
+            all_of_them = (
+                "The one example has" if len(examples) == 1 else f"All {len(examples)} examples have"
+            )
+            return f"{all_of_them} its value." if examples else "No examples yet."
         kept = sum(bool(e.snapshot) for e in lacking)
         return f"{len(lacking)} of {len(examples)} examples lack its value; it is read from the stored moments of {kept}."
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from ...core.amounts import counted
 from ...core.errors import UnderstudyError
 from ...core.project import Project
 from ...core.tree import Forest, Tree
@@ -49,7 +50,7 @@ class Fit:
             return self.problem
         if self.share is None:
             return "not learned yet" if self.learned_from else "no examples yet"
-        said = f"fits {self.share:.0%} of {self.learned_from} examples"
+        said = f"fits {self.share:.0%} of {counted(self.learned_from, 'example')}"
         if self.left_out:
             said += f"; {self.left_out} cannot be learned from"
         if self.conflicts:
@@ -171,6 +172,7 @@ class Fits(QObject):
         for gone in self._known.keys() - keys:
             del self._known[gone]
         if self._unknown(project):
+            self._worker.give_up()  # what it is at may be among them; the rest is asked for again
             self._soon.start()
         else:
             self._soon.stop()

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ...core.amounts import counted
 from ...core.automaton import Sampling, Settings
 from ...core.edits import set_settings
 from ...core.errors import UnderstudyError
@@ -283,10 +284,9 @@ def report_words(report: BehaviorReport) -> str:
     lines = []
     for state in report.states:
         unseen = "" if state.cv_accuracy is None else f", {state.cv_accuracy:.0%} of those held out"
-        nodes = f", {state.nodes} nodes" if state.nodes else ""
-        lines.append(
-            f"from {state.name}: {state.examples} examples, fits {state.accuracy:.0%}{unseen}{nodes}"
-        )
+        nodes = f", {counted(state.nodes, 'node')}" if state.nodes else ""
+        examples = counted(state.examples, "example")
+        lines.append(f"from {state.name}: {examples}, fits {state.accuracy:.0%}{unseen}{nodes}")
     if report.left_out:
         first = report.left_out[0]
         lines.append(f"{len(report.left_out)} left out, the first because {first.reason}")

@@ -10,6 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractItemModel, QMimeData, QModelIndex, QPersistentModelIndex, QSize, Qt
 
+from ...core.amounts import counted
 from ...learner.trainer import Key
 from .fits import Fit, Fits
 from .order import moves
@@ -259,7 +260,7 @@ def facts(row: Row, fit: Fit | None) -> tuple[str, ...]:
     said += [f"raises {flag}" for flag in row.raises]
     if row.examples or row.disabled:
         off = f", {row.disabled} disabled" if row.disabled else ""
-        said.append(f"{row.examples} examples{off}")
+        said.append(f"{counted(row.examples, 'example')}{off}")
         if fit is not None:
             said.append(fit.words)
     return tuple(said)
