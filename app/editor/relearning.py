@@ -59,12 +59,18 @@ class Relearning(QObject):
 
     def _opened(self) -> None:
         self._soon.stop()
+        self._relearner.give_up()
+        self._set_busy(busy=False)
         self.learned_at = 0.0
 
     def _project_changed(self, before: Project, after: Project) -> None:
-        untouched = before.examples is after.examples and before.libraries is after.libraries
-        if self._settings.learns_by_itself and not untouched:
+        if before.examples is after.examples and before.libraries is after.libraries:
+            return
+        self._relearner.give_up()  # its answer would not fit, and until then it would be in the way of the window
+        if self._settings.learns_by_itself:
             self._soon.start()
+        else:
+            self._set_busy(busy=False)
 
     def _take(self) -> None:
         for answer in self._relearner.answers():

@@ -66,6 +66,10 @@ class Relearner:
         self._progress = 0.0, ""
         self._worker.ask(_Question(revision, project, scenario))
 
+    def give_up(self) -> None:
+        """Nobody wants the answer to a question that is still open."""
+        self._worker.give_up()
+
     def answers(self) -> list[RelearnAnswer]:
         """The answer to the last question, once it has come, once."""
         return self._worker.answers()

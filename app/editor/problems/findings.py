@@ -100,13 +100,18 @@ class Findings(QObject):
         self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._soon.timeout.connect(self._ask)
         self._ready.connect(self._take)
-        document.project_changed.connect(self._soon.start)
-        document.opened.connect(self._soon.start)
+        document.project_changed.connect(self._changed)
+        document.opened.connect(self._changed)
 
     def close(self) -> None:
         """End the thread."""
         self._soon.stop()
         self._worker.close()
+
+    def _changed(self) -> None:
+        """What is being found out is of no use any more."""
+        self._worker.give_up()
+        self._soon.start()
 
     def _ask(self) -> None:
         document = self._document
