@@ -228,7 +228,7 @@ def _missed(name: str, missed: Mapping[str, str]) -> Iterator[str]:
     """What could not be read, one line a reason."""
     by_reason: dict[str, list[str]] = {}
     for example_id, why in missed.items():
-        by_reason.setdefault(why.partition(": ")[2] or why, []).append(example_id)
+        by_reason.setdefault(why.removeprefix(f"example {example_id}: "), []).append(example_id)
     for why, examples in by_reason.items():
         many = "examples" if len(examples) > 1 else "example"
         yield f"{name}: {many} {some(examples)} cannot be learned from: {why}"

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ..automaton import START, Automaton, Basic, Content, Nested
 from ..errors import EditError
-from ..features import Bindings, FeatureUse, Ground, Sense, Statistic
+from ..features import Bindings, FeatureUse, Ground, Parameter, Sense, Statistic
 from ..library import Library
 from ..naming import fresh_id
 from ..project import Project
@@ -23,8 +23,9 @@ def carry_states(
 
     What a state holds is known there by its name: as an automaton of that type, or as one of its basic behaviors. An
     automaton that the type lacks comes along with its examples and all that it holds, where the type has the basic
-    behaviors, features and targets that it is made from. Transitions that test what the type cannot see do not come along
-    (`left_behind` says which that are).
+    behaviors, features and targets that it is made from. Transitions that test what the automaton cannot see do not come
+    along (`left_behind` says which that are): that its type has no such feature, or it no such parameter. A feature that
+    is open would keep all its examples from being learned from.
 
     Raises:
         EditError: The other type cannot do or see something; the message says what.
@@ -53,7 +54,15 @@ def left_behind(
 
 def _unseen(project: Project, scenario: Vocabulary, automaton: Automaton, into: Where) -> list[FeatureUse]:
     vocabulary = project.types_with(scenario).vocabulary(into[0])
-    return [use for use in automaton.features if _why_unseen(use, vocabulary)]
+    known = find_automaton(project, *into).parameters
+    return [
+        use for use in automaton.features if _why_unseen(use, vocabulary) or not _parameters(use) <= {*known}
+    ]
+
+
+def _parameters(use: FeatureUse) -> set[str]:
+    """The parameters of its automaton that a feature looks through."""
+    return {bound.name for bound in bindings_of(use.source).values() if isinstance(bound, Parameter)}
 
 
 def _why_unseen(use: FeatureUse, vocabulary: Vocabulary) -> str:

@@ -258,7 +258,8 @@ class GraphEditing:
         if came := [automaton.name for key, automaton in now.items() if key not in known]:
             said.append(f"{', '.join(came)} came along to {into}, since the states hold it")
         if left := left_behind(before, document.scenario.vocabulary, source, ids, where):
-            said.append(f"transitions that look at {' or '.join(left)} did not: {into} cannot see that")
+            name = before.library(into).get(where[1]).name
+            said.append(f"transitions that look at {' or '.join(left)} did not: {name} cannot see that")
         if said:
             self._studio.say("; ".join(said))
 

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRectF, Qt
 
 from app.core.automaton import Basic, Nested
+from app.core.check import check
 from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.editor.graph.editing import LEARNED_COPIED
 from app.editor.selection import BehaviorKey
@@ -114,6 +115,29 @@ def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
     assert studio.document.automaton("authored-agent", "stroll") is None
 
 
+def test_what_looks_through_a_parameter_stays_behind_where_there_is_none_and_what_was_learned_there_stays(
+    author: Author, studio: Studio
+) -> None:
+    author.show(BehaviorKey("agent", "goto"))
+    author.click(author.named("Forward"))
+    author.key(Qt.Key.Key_C, CTRL)
+    taught = BehaviorKey("agent", "return-with-box")
+    author.show(taught)
+    before = automaton(author)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    words = "transitions that look at DistanceTo(X) or DirectionTo(X) did not: ReturnWithBox cannot see that"
+    assert words in said.args[0].text
+    after = automaton(author)
+    assert (len(after.states), after.features) == (len(before.states) + 1, before.features)
+    assert not [
+        p
+        for p in check(studio.document.project, studio.document.scenario.vocabulary)
+        if "example" in p.message
+    ]
+
+
 def test_what_the_other_node_type_cannot_see_stays_behind_and_it_is_said(
     author: Author, studio: Studio
 ) -> None:
@@ -125,7 +149,7 @@ def test_what_the_other_node_type_cannot_see_stays_behind_and_it_is_said(
     with author.qtbot.waitSignal(studio.said) as said:
         author.key(Qt.Key.Key_V, CTRL)
     assert said.args is not None
-    words = "transitions that look at ICanSeeABox did not: group cannot see that"
+    words = "transitions that look at ICanSeeABox did not: Lead cannot see that"
     assert said.args[0].text == f"{LEARNED_COPIED}; {words}"
     found = studio.document.automaton("group", group.id)
     assert found is not None

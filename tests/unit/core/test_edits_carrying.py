@@ -86,3 +86,17 @@ def test_transitions_that_test_what_the_other_type_cannot_see_stay_behind_and_it
     ]
     assert edits.left_behind(before, vocabulary(), where, held, into) == ("SeesABox", "Ground")
     assert edits.left_behind(before, vocabulary(), where, held, where) == ()
+
+
+def test_transitions_that_look_through_a_parameter_that_is_not_there_stay_behind() -> None:
+    before, made = edits.add_automaton(project(), AGENT, "other")
+    where, into = (AGENT, "goto"), (AGENT, made)
+    held = [state.id for state in before.library(AGENT).get("goto").states[1:]]
+    changed = carried(before, where, held, into)
+    assert not changed.library(AGENT).get(made).features
+    left = edits.left_behind(before, vocabulary(), where, held, into)
+    assert left
+    assert set(left) <= {use.shown for use in before.library(AGENT).get("goto").features}
+    bound, made = edits.add_automaton(project(), AGENT, "other", ["target"])
+    assert edits.left_behind(bound, vocabulary(), where, held, (AGENT, made)) == ()
+    assert carried(bound, where, held, (AGENT, made)).library(AGENT).get(made).features

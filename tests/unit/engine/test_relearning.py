@@ -17,7 +17,7 @@ from app.core.edits import (
     set_settings,
     set_values,
 )
-from app.core.features import Ground, Sense
+from app.core.features import Ground, Parameter, Sense
 from app.core.project import LevelTable, Project
 from app.engine import relearning
 from app.engine.backfill import fill_values
@@ -97,6 +97,13 @@ def test_values_that_cannot_be_read_are_told_once_a_reason_and_the_others_are_le
         "Shuttle: examples 1, 2, 3, 4 cannot be learned from: the moment it was recorded in is not stored",
     )
     assert answer.learned.automata[SHUTTLE].models == {}
+
+
+def test_why_values_cannot_be_read_is_told_in_full() -> None:
+    edited, _ = add_feature(learned(), *SHUTTLE, Sense("DistanceTo", {"target": Parameter("X")}))
+    (problem,) = relearn(edited, corridor).problems
+    assert "'X'" in problem
+    assert "1, 2, 3, 4 cannot be learned from: 'target' of feature 'DistanceTo(X)'" in problem
 
 
 def test_disabled_examples_are_filled_in_too_and_not_complained_of() -> None:
