@@ -10,7 +10,7 @@ LEAST, MOST = 0.08, 4.0
 #: One notch of the wheel.
 STEP = 1.2
 #: A diagram that is fitted in is never drawn larger, and smaller than it can be read only where the user wants all of it.
-FITTED, READABLE = 1.0, 0.75
+FITTED, READABLE = 1.0, 0.72
 MARGIN = 12.0
 #: Pixels of the scene around a diagram, into which it can be dragged.
 ROOM = 2000.0

@@ -11,7 +11,7 @@ from typing import Any
 INCH = 72.0
 #: Room for the words of a transition that is still to be drawn.
 ROOM = (72.0, 30.0)
-GRAPH = {"rankdir": "TB", "nodesep": 0.3, "ranksep": 0.36, "splines": "true", "outputorder": "nodesfirst"}
+GRAPH = {"rankdir": "TB", "nodesep": 0.2, "ranksep": 0.36, "splines": "true", "outputorder": "nodesfirst"}
 
 
 def arranged(request: dict[str, Any]) -> dict[str, Any]:

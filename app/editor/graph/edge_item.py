@@ -15,7 +15,7 @@ from .labels import Label
 from .state_item import Path
 
 THINNEST, THICKEST = 1.3, 5.0
-LABEL_WIDTH, LINE, MOST_LINES = 124.0, 14.0, 2
+LABEL_WIDTH, LINE, MOST_LINES = 94.0, 14.0, 3
 #: Around the middle of a pruned edge.
 CROSS = 4.0
 
@@ -54,7 +54,7 @@ class EdgeItem(QGraphicsItem):
         self._path = QPainterPath()
         self._bounds = QRectF()
         self.setAcceptHoverEvents(True)
-        self.setZValue(1.0)
+        self._lift()
 
     @property
     def run(self) -> Run:
@@ -73,7 +73,7 @@ class EdgeItem(QGraphicsItem):
         """Draw it as the one that is selected, or not."""
         if chosen is not self._chosen:
             self._chosen = chosen
-            self.setZValue(3.0 if chosen else 1.0)
+            self._lift()
             self.update()
 
     def boundingRect(self) -> QRectF:
@@ -109,8 +109,13 @@ class EdgeItem(QGraphicsItem):
 
     def _hover(self, *, hovered: bool) -> None:
         self._hovered = hovered
-        self.setZValue(3.0 if hovered or self._chosen else 1.0)
+        self._lift()
         self.update()
+
+    def _lift(self) -> None:
+        """What is looked at lies on all else; words of loops, for which there is little room, on other edges."""
+        is_loop = self.edge.source == self.edge.target
+        self.setZValue(3.0 if self._hovered or self._chosen else 1.5 if is_loop else 1.0)
 
     # -------------------------------------------------------------------------------------------- painting
 

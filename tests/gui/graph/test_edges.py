@@ -35,3 +35,12 @@ def test_rules_and_what_was_pruned_are_drawn_otherwise(panel: GraphPanel, author
     ruled = next(item for item in panel.scene.edges.values() if item.edge.rules)
     assert ruled.pen().style() is not Qt.PenStyle.SolidLine
     assert list(ruled.pen().dashPattern()) != pruned
+
+
+def test_the_words_of_a_loop_are_not_struck_through_by_other_edges(panel: GraphPanel, author: Author) -> None:
+    author.show(BehaviorKey("agent", "wander"))
+    edges = panel.scene.edges
+    loop, other = edges[(), "forward", "forward"], edges[(), "rotate-right", "forward"]
+    assert other.zValue() < loop.zValue() < panel.scene.states["forward",].zValue()
+    author.click_edge("rotate-right", "forward")
+    assert other.zValue() > loop.zValue()
