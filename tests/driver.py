@@ -15,6 +15,7 @@ from app.engine.commands import (
     Command,
     Others,
     Pick,
+    RedoPick,
     Reset,
     RunArm,
     ShouldNotHaveLeft,
@@ -115,6 +116,10 @@ class Driver:
     def undo(self) -> "Driver":
         """Take the last pick back."""
         return self.send(UndoPick())
+
+    def redo(self) -> "Driver":
+        """Do again the pick that was taken back last."""
+        return self.send(RedoPick())
 
     def test(self) -> "Driver":
         """Learn, and let all run it."""

@@ -8,8 +8,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from ..core.edits import describe, record_pick
 from ..core.edits.examples import Recorded
 from ..core.errors import UnderstudyError
+from ..core.history import Edit as Step
 from ..core.project import Project, Value
-from ..engine.commands import Command, UndoMove, UndoPick, UseProject
+from ..engine.commands import Command, RedoPick, UndoMove, UndoPick, UseProject
 from ..engine.compiling import KernelCompiler
 from ..engine.learning import WorkerLearner
 from ..engine.session import Session
@@ -76,8 +77,9 @@ class Bridge(QObject):
         self.snapshot: Snapshot | None = None
         self._applied = 0
         self._taking = False
-        self._taking_back = 0
+        self._taking_back = self._doing_again = 0
         self._picks: list[Recorded] = []  # those that the session can take back, as far as we know
+        self._taken_back: list[Recorded] = []  # and those that it can do again
         document.project_changed.connect(self._project_changed)
         self._timer = QTimer(self, interval=FRAME, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.poll)
@@ -90,7 +92,8 @@ class Bridge(QObject):
         """Begin a session of the document's project in another engine."""
         self.close()
         document, project = self._document, self._document.project
-        self._applied, self._picks, self._taking_back = 0, [], 0
+        self._applied = 0
+        self.forget_picks()
         self._engine = self._make(
             lambda wake: Session(
                 project, document.scenario, arm, seed, WorkerLearner(wake), settings, KernelCompiler(wake)
@@ -159,8 +162,8 @@ class Bridge(QObject):
             case Moved():
                 text = f"Move {event.node_or_kind}"
                 self._document.push(text, self._document.project, mark=MoveMark(event))
-            case Refused(ticket, _) if ticket and ticket == self._taking_back:
-                pass  # the lesson of the pick is over; whoever asked for it undoes the examples
+            case Refused(ticket, _) if ticket and ticket in (self._taking_back, self._doing_again):
+                pass  # the lesson of the pick is over; whoever asked for it undoes or redoes the examples
             case Refused(_, message) | Interrupted(message):
                 self.told.emit(message)
         self.event_came.emit(event)
@@ -181,14 +184,21 @@ class Bridge(QObject):
         document = self._document
         match edit:
             case Picked(recorded):
-                text = describe(record_pick, document.project, recorded)
-                document.push(text, edited(document.project, edit), mark=PickMark(recorded))
                 self._picks.append(recorded)
+                asked, self._doing_again = self._doing_again, 0
+                if asked and _is_pick(document.history.next, recorded):
+                    self._taken_back = self._taken_back[:-1]
+                    document.redo()
+                    self.send(UseProject(document.project, self._applied))
+                else:
+                    self._taken_back = []
+                    text = describe(record_pick, document.project, recorded)
+                    document.push(text, edited(document.project, edit), mark=PickMark(recorded))
             case TakenBack(recorded):
                 self._picks = [pick for pick in self._picks if pick != recorded]
                 self._taking_back = 0
-                last = document.history.last
-                if last is not None and last.mark == PickMark(recorded):
+                if _is_pick(document.history.last, recorded):
+                    self._taken_back.append(recorded)
                     document.undo()
                     self.send(UseProject(document.project, self._applied))
                 else:
@@ -208,6 +218,20 @@ class Bridge(QObject):
     def forget_picks(self) -> None:
         """From now on picks are undone as examples only: their lesson is over."""
         self._picks, self._taking_back = [], 0
+        self.forget_taken_back()
+
+    def can_do_again(self, mark: object) -> bool:
+        """Whether the session can do the pick of a step again, and let its node do what it did then."""
+        return isinstance(mark, PickMark) and self._taken_back[-1:] == [mark.recorded]
+
+    def do_again(self) -> int:
+        """Have the session do again the pick that it took back last; returns the ticket. As for `take_back`."""
+        self._doing_again = self.send(RedoPick())
+        return self._doing_again
+
+    def forget_taken_back(self) -> None:
+        """From now on, of picks that were taken back only the examples come back."""
+        self._taken_back, self._doing_again = [], 0
 
     def undo_move(self, mark: MoveMark) -> None:
         """Put back what was moved."""
@@ -216,6 +240,10 @@ class Bridge(QObject):
     def _project_changed(self, _before: Project, after: Project) -> None:
         if not self._taking:
             self.send(UseProject(after, self._applied))
+
+
+def _is_pick(step: Step | None, recorded: Recorded) -> bool:
+    return step is not None and step.mark == PickMark(recorded)
 
 
 def _mode(snapshot: Snapshot) -> object:

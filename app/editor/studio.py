@@ -99,7 +99,9 @@ class Studio(QObject):
         self.actions = Actions(self)
         self.relearning = Relearning(self.document, settings)
         self.teaching = Teaching(self)
-        self._undo_ticket = self._undos_waiting = 0
+        self._undo_ticket = 0
+        self._otherwise = self._undo_alone
+        self._steps_waiting: list[Callable[[], None]] = []
         self._arm, self._state_wanted = "", False
         self._settings: Mapping[str, Value] = {}
         self._soon = Soon(self, self._refresh)
@@ -226,7 +228,8 @@ class Studio(QObject):
 
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
-        self._undo_ticket = self._undos_waiting = 0
+        self._undo_ticket = 0
+        self._steps_waiting.clear()
         self._watch()
         self.watching.begin()
 
@@ -261,45 +264,67 @@ class Studio(QObject):
         A pick is taken back by the session, which puts the node back as well; what is undone meanwhile waits for that.
         """
         if self._undo_ticket:
-            self._undos_waiting += 1
+            self._steps_waiting.append(self.undo)
             return
         last = self.document.history.last
         if last is None:
             return
         if isinstance(last.mark, PickMark) and self.bridge.can_take_back(last.mark):
             self.teaching.turn_back(last.mark.recorded)
-            self._undo_ticket = self.bridge.take_back()
+            self._undo_ticket, self._otherwise = self.bridge.take_back(), self._undo_alone
             return
         edit = self.document.undo()
         if isinstance(edit.mark, MoveMark):
             self.bridge.undo_move(edit.mark)
 
+    @property
+    def can_redo(self) -> bool:
+        """Whether there is something to do again, or will be once the session has taken back what it was asked to."""
+        return self.document.history.can_redo or self._undo_ticket != 0
+
     def redo(self) -> None:
-        """Do again what was undone last. A pick's examples come back; its node is not put anywhere."""
-        if self.document.history.can_redo and not self._undo_ticket:
-            edit = self.document.redo()
-            if isinstance(edit.mark, MoveMark):
-                self.bridge.send(RedoMove(edit.mark.moved.number))
+        """Do again what was undone last; as with `undo`, the session lets the node of a pick do what it did then."""
+        if self._undo_ticket:
+            self._steps_waiting.append(self.redo)
+            return
+        following = self.document.history.next
+        if following is None:
+            return
+        if isinstance(following.mark, PickMark) and self.bridge.can_do_again(following.mark):
+            self.teaching.turn_back(following.mark.recorded)
+            self._undo_ticket, self._otherwise = self.bridge.do_again(), self._redo_alone
+            return
+        edit = self.document.redo()
+        if isinstance(edit.mark, MoveMark):
+            self.bridge.send(RedoMove(edit.mark.moved.number))
 
     def _event_came(self, event: object) -> None:
         if isinstance(event, Refused) and self._undo_ticket and event.ticket == self._undo_ticket:
-            self.bridge.forget_picks()  # their lesson is over: its examples can be undone all the same
             self._undo_ticket = 0
-            self.undo()
-            self._undo_next()
+            self._otherwise()
+            self._step_on()
+
+    def _undo_alone(self) -> None:
+        """The lesson of the picks is over: their examples can be undone all the same."""
+        self.bridge.forget_picks()
+        self.undo()
+
+    def _redo_alone(self) -> None:
+        """The node cannot go on with the pick: its examples come back all the same."""
+        self.bridge.forget_taken_back()
+        self.redo()
 
     def _snapshot_changed(self, snapshot: Snapshot) -> None:
         if self._state_wanted:
             self._show_state(snapshot)
         if self._undo_ticket and snapshot.acknowledged >= self._undo_ticket:
             self._undo_ticket = 0
-            self._undo_next()
+            self._step_on()
 
-    def _undo_next(self) -> None:
+    def _step_on(self) -> None:
         """Go on with what was asked for while the session was busy with a pick."""
-        while self._undos_waiting and not self._undo_ticket:
-            self._undos_waiting -= 1
-            self.undo()
+        while self._steps_waiting and not self._undo_ticket:
+            self._steps_waiting.pop(0)()
 
     # --------------------------------------------------------------------------------------------- telling
 
@@ -336,8 +361,11 @@ class Studio(QObject):
     def _project_changed(self, _before: Project, after: Project) -> None:
         self.colors.use(after)
         shown = self.selection.behavior
-        if shown is None or self.document.automaton(shown.type, shown.id) is None:
+        automaton = None if shown is None else self.document.automaton(shown.type, shown.id)
+        if automaton is None:
             self.selection.select_behavior(_first_behavior(after))
+        elif not automaton.has_state(self.selection.state):
+            self.selection.select_state(START)
         if self.bridge.is_open or not after.arms:
             return
         self._arm = after.arms[0].name

@@ -1,4 +1,4 @@
-"""What the user's hand did in a lesson, with what it takes to undo it."""
+"""What the user's hand did in a lesson, with what it takes to undo it and to do it again."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -32,9 +32,28 @@ class Act:
     done: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Undone:
+    """An act that was taken back.
+
+    Attributes:
+        after: What the node and all below it did when it was taken back; None if they have begun anew since the act.
+        was_taught: The node was in training mode then.
+    """
+
+    act: Act
+    after: MachineState | None
+    was_taught: bool
+
+
 def past(acts: Iterable[Act]) -> list[Act]:
     """Acts of before the nodes began anew: undoing them takes back what they recorded, and puts no node back."""
     return [replace(act, before=None, mended=None, done=True) for act in acts]
+
+
+def past_undone(undone: Iterable[Undone]) -> list[Undone]:
+    """The same for acts that were taken back: doing them again brings back what they recorded."""
+    return [Undone(past([each.act])[0], None, was_taught=False) for each in undone]
 
 
 def part_of(state: MachineState, node: Node) -> MachineState:
@@ -42,12 +61,11 @@ def part_of(state: MachineState, node: Node) -> MachineState:
     return {"now": state["now"], "nodes": {below.id: state["nodes"][below.id] for below in node.walk()}}
 
 
-def put_back(machine: Machine, act: Act) -> None:
-    """Let the node of an act and all below it do again what they did; the ticks since then do not count for them."""
-    if act.before is not None:
-        passed = machine.now - act.before["now"]
-        nodes = {node_id: _later(node, passed) for node_id, node in act.before["nodes"].items()}
-        thaw_node(machine, act.node, {"now": machine.now, "nodes": nodes})
+def put_back(machine: Machine, node_id: str, did: MachineState) -> None:
+    """Let a node and all below it do again what they *did*; the ticks since then do not count for them."""
+    passed = machine.now - did["now"]
+    nodes = {below: _later(node, passed) for below, node in did["nodes"].items()}
+    thaw_node(machine, node_id, {"now": machine.now, "nodes": nodes})
 
 
 def _later(node: Mapping[str, Any], ticks: int) -> Mapping[str, Any]:

@@ -103,6 +103,11 @@ class UndoPick:
 
 
 @dataclass(frozen=True, slots=True)
+class RedoPick:
+    """Do again what `UndoPick` took back last, unless something else was taught since."""
+
+
+@dataclass(frozen=True, slots=True)
 class Test:
     """Learn what was taught, then let all nodes of the type run it."""
 
@@ -219,6 +224,7 @@ Command = (
     | Pick
     | ShouldNotHaveLeft
     | UndoPick
+    | RedoPick
     | Test
     | Play
     | Pause

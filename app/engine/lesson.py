@@ -19,7 +19,7 @@ from ..core.naming import next_number
 from ..core.project import Project
 from ..core.storage.moments import moment_hash
 from ..sim.engine import Control, Engine, Past
-from .acts import Act, part_of, past, put_back
+from .acts import Act, Undone, part_of, past, past_undone, put_back
 from .commands import Teach
 from .departures import Departure, Departures
 from .looking_back import LookBack
@@ -60,6 +60,7 @@ class Lesson:
         self._forest = treatment.arm.forest()
         self._forest_hash = forest_hash(self._forest)
         self._acts = past(earlier)
+        self._undone: list[Undone] = []
         check_plan(engine.machine, plan)
         self._begin(node for node in self._forest.walk() if node.id in self.taught)
 
@@ -72,7 +73,7 @@ class Lesson:
         check_plan(self.engine.machine, self.plan)
         self.testing = True
         self.taught = frozenset()
-        self._acts = past(self._acts)
+        self._acts, self._undone = past(self._acts), past_undone(self._undone)
         self._begin(node for node in self._forest.walk() if node.type == self.plan.type)
 
     def _begin(self, pupils: Iterable[Node]) -> None:
@@ -239,6 +240,7 @@ class Lesson:
         for old in replaced:
             self._unmend(old)
         self._acts.append(replace(act, was_taught=first.was_taught))
+        self._undone.clear()
         self.taught |= {act.node}
         if act.mended is not None:
             self._departures.mended(act.node)
@@ -253,10 +255,51 @@ class Lesson:
             raise SessionError("there is no pick left to take back in this lesson")
         act = self._acts.pop()
         self._unmend(act)
-        put_back(self.engine.machine, act)
-        if act.before is not None and not act.was_taught:
-            self.taught -= {act.node}
+        after = None if act.before is None else self._does(act.node)
+        self._undone.append(Undone(act, after, act.node in self.taught))
+        if act.before is not None:
+            put_back(self.engine.machine, act.node, act.before)
+            if not act.was_taught:
+                self.taught -= {act.node}
         return act
+
+    def undone(self) -> Act:
+        """The act that was taken back last, which `redo` does again.
+
+        Raises:
+            SessionError: There is none, or its node cannot go on with it any more.
+        """
+        if not self._undone:
+            raise SessionError("there is no pick in this lesson that was taken back and could be done again")
+        last = self._undone[-1]
+        if last.after is not None:
+            self._running(last.act.node)
+        if not last.act.done and last.act.recorded.state is None and (why := self._obstacle(last.act)):
+            raise SessionError(why)
+        return last.act
+
+    def redo(self) -> None:
+        """Do again the act that was taken back last: the node does what it did then, or will in the next tick."""
+        last = self._undone.pop()
+        act, after = last.act, last.after
+        if after is None:
+            self._acts.append(act)
+            return
+        before, was_taught = self._does(act.node), act.node in self.taught
+        self._acts.append(replace(act, before=before, was_taught=was_taught))
+        put_back(self.engine.machine, act.node, after)
+        self.taught = self.taught | {act.node} if last.was_taught else self.taught - {act.node}
+        if act.mended is not None:
+            self._departures.mended(act.node)
+
+    def project_edited(self, old: Project, new: Project) -> None:
+        """The user has changed the project: where its examples are others now, nothing that was taken back is done again."""
+        where = self.plan.type, self.plan.automaton
+        if old.examples_of(*where) != new.examples_of(*where):
+            self._undone.clear()
+
+    def _does(self, node_id: str) -> MachineState:
+        return part_of(freeze(self.engine.machine), self._pupils[node_id])
 
     def _unmend(self, act: Act) -> None:
         if act.mended is not None and act.before is not None:

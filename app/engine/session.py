@@ -22,6 +22,7 @@ from .commands import (
     Pick,
     Play,
     RedoMove,
+    RedoPick,
     Reset,
     RunArm,
     ShouldNotHaveLeft,
@@ -38,7 +39,7 @@ from .commands import (
 from .course import Course
 from .directing import direct_roots
 from .lesson import Lesson
-from .snapshots import Event, Interrupted, Mode, Snapshot, TakenBack, Watched
+from .snapshots import Event, Interrupted, Mode, Picked, Snapshot, TakenBack, Watched, edited
 from .watching import watched
 
 
@@ -133,6 +134,8 @@ class Session(Course):
         before = self.project
         project, lost = self._log.on_top(command.project, command.applied)
         self._transcript.changed(before, project, self.tick, runs=self._runs_taught)
+        if self._lesson is not None:
+            self._lesson.project_edited(before, project)
         self._use(project)
         self._reconsider()
         self._events += [Interrupted(f"what was just taught could not be kept: {why}") for why in lost]
@@ -200,6 +203,20 @@ class Session(Course):
         self._change(TakenBack(lesson.undo().recorded))
         self._reconsider()
         self._transcript.undo(self.tick, learning=self._will_test(lesson))
+        self._tell_demonstrated()
+
+    @_obey.register
+    def _(self, _: RedoPick) -> None:
+        lesson = self._taught()
+        act = lesson.undone()
+        edited(self.project, Picked(act.recorded))  # raises before anything has changed
+        self._change(Picked(act.recorded))
+        lesson.redo()
+        if not act.done and self._asks_about(act.node):
+            self._answered.add(act.node)
+            self._close_question()
+        self._reconsider()
+        self._transcript.redo(self.tick, learning=self._will_test(lesson))
         self._tell_demonstrated()
 
     @_obey.register

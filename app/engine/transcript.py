@@ -1,7 +1,7 @@
 """What the hand does in a world as a literal demonstration, as long as playing that would record the same examples."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from ..core.automaton import Automaton, State
 from ..core.project import Arm, Demonstration, Pick, Project, Value
@@ -13,6 +13,16 @@ WORLD = "world."
 #: Others that it may have: what it is played with in any case, or what changes nothing (None: whatever it is).
 PLAIN = {"physics": "kinematic", "engine": None}
 AGAIN = "Reset the world (Ctrl+R) before the next lesson, and it can be kept"
+
+
+@dataclass(frozen=True, slots=True)
+class _Undone:
+    """A pick was taken back: the pick, if it was one of this transcript, and how that was written down, if it was."""
+
+    pick: Pick | None
+    written: Pick | None
+    last: Pick | None
+    tick: int
 
 
 class Transcript:
@@ -35,6 +45,7 @@ class Transcript:
         self._live: list[Pick] = []  # those of the acts whose examples are there
         self._added: dict[str, State] = {}
         self._moves: dict[int, Pick] = {}
+        self._undone: list[_Undone] = []
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
         self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
@@ -47,7 +58,7 @@ class Transcript:
 
     def teach(self, plan: Teach, tick: int) -> None:
         """Nodes are taught from this tick on."""
-        before, self._plan = self._plan, plan
+        before, self._plan, self._undone = self._plan, plan, []
         if before is not None and self._is_as_begun(tick):
             before, self._acts, self._added = None, [], {}
         if before is None:
@@ -83,6 +94,7 @@ class Transcript:
         Args:
             added: The state that the automaton has since this pick.
         """
+        self._undone = []
         if added is not None:
             self._added[added.id] = added
         for old in [old for old in self._live if (old.node, old.tick) == (act.node, act.tick)]:
@@ -114,12 +126,31 @@ class Transcript:
 
     def undo(self, tick: int, *, learning: bool = False) -> None:
         """The last pick was taken back; where no tick had carried it out, it is as if it had never been."""
-        if self._live and self._live[-1].tick == tick:
-            self._forget(self._live[-1])
+        pick, written = self._live[-1] if self._live else None, None
+        if pick is not None and pick.tick == tick:
+            self._forget(pick)
+        else:
+            written = Pick(tick, "", act="undo")
+            self._insert(written, learning=learning)
+            self._live = self._live[:-1]
+        self._undone.append(_Undone(pick, written, self._last, tick))
+
+    def redo(self, tick: int, *, learning: bool = False) -> None:
+        """What was taken back last was done again; where nothing came between, it is as if it had never been taken back."""
+        undone = self._undone.pop() if self._undone else None
+        if undone is None or undone.tick != tick or undone.last is not self._last:
+            self.spoil(f"a pick that was taken back was done again later. {AGAIN}")
             return
-        self._insert(Pick(tick, "", act="undo"), learning=learning)
-        if self._live:
-            self._live.pop()
+        if undone.written is not None:
+            self._acts = [act for act in self._acts if act is not undone.written]
+        elif undone.pick is not None:
+            self._insert(undone.pick, learning=learning)
+        if undone.pick is not None:
+            self._live.append(undone.pick)
+
+    @property
+    def _last(self) -> Pick | None:
+        return self._acts[-1] if self._acts else None
 
     def move(self, number: int, act: Pick, *, learning: bool = False) -> None:
         """Something was moved in the world.
@@ -132,7 +163,7 @@ class Transcript:
 
     def undo_move(self, number: int, tick: int) -> None:
         """A move was taken back; where nothing came after it, it is as if it had never been."""
-        last = self._acts[-1] if self._acts else None
+        last = self._last
         if last is not None and last is self._moves.get(number) and last.tick == tick:
             self._acts.pop()
         else:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from app.core.project import Arm, LevelTable, Project
 from app.engine import departures
 from app.engine.ask import Asking
-from app.engine.commands import AskMe, LetGo, Others, Pick, ShouldNotHaveLeft, Teach, UndoPick
+from app.engine.commands import AskMe, LetGo, Others, Pick, RedoPick, ShouldNotHaveLeft, Teach, UndoPick
 from app.engine.commands import Test as LearnAndTest
 from app.engine.session import Session
 from app.engine.snapshots import Mode
@@ -59,13 +59,15 @@ class Mender:
         self.nodes = nodes
 
     def act(self, random: Random) -> None:
-        """Let time pass; mend something; take that back, or go on testing without."""
+        """Let time pass; mend something; take that back, some of it not after all, or go on testing without."""
         self.session.advance(random.choice((1, 2, 5, 30)))
         for node in random.sample(self.nodes, min(2, len(self.nodes))):
             self.session.send(ShouldNotHaveLeft(node))
         if random.random() < 0.8:
             while (lesson := self.session.snapshot().lesson) and lesson.acts > 1:
                 self.session.send(UndoPick())
+            for _ in range(random.randint(0, 2)):
+                self.session.send(RedoPick())
 
 
 @settings(max_examples=40)

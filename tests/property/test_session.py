@@ -41,6 +41,7 @@ from app.engine.commands import (
     Pick,
     Play,
     RedoMove,
+    RedoPick,
     Reset,
     RunArm,
     ShouldNotHaveLeft,
@@ -134,6 +135,7 @@ class Hand:
             (0.5 if lesson else 12, lambda: Teach(kind, automaton, (node,), arguments, others)),
             (0.5 if lesson else 4, lambda: Teach(kind, automaton, tuple(same[:2]), arguments, others)),
             (3, UndoPick),
+            (2, RedoPick),
             (2, LearnAndTest),
             (3, lambda: ShouldNotHaveLeft(node)),
             (1, lambda: MoveEntity(self.random.randint(0, 3), 100.0 * self.random.random(), 0.0)),
@@ -253,6 +255,8 @@ def test_taking_everything_back_leaves_no_example(seed: int) -> None:
                 lambda: hand.session.advance(hand.random.randint(1, 4)),
                 lambda: hand.send(LearnAndTest()),
                 lambda: hand.send(Reset()),
+                lambda: hand.send(UndoPick()),
+                lambda: hand.send(RedoPick()),
             ]
         )()
     learned = hand.session.project.library(AGENT).get("Shuttle").learned

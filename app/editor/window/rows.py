@@ -223,7 +223,7 @@ def edit_rows() -> tuple[ActionRow, ...]:
             keys="Ctrl+Shift+Z",
             tip="Do again what was undone last",
             icon="redo",
-            enabled=lambda studio: studio.document.history.can_redo,
+            enabled=lambda studio: studio.can_redo,
             says=redo_words,
         ),
     )

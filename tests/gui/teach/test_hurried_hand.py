@@ -62,5 +62,5 @@ def test_window_and_session_agree_however_fast_the_hand_is(hand: Hand, seed: int
 
 def agree(hand: Hand) -> None:
     """Wait for all answers, and compare."""
-    hand.wait(lambda: not hand.studio._undo_ticket and not hand.studio._undos_waiting)
+    hand.wait(lambda: not hand.studio._undo_ticket and not hand.studio._steps_waiting)
     same_everywhere(hand)

@@ -79,8 +79,63 @@ def test_redo_brings_the_examples_back(hand: Hand) -> None:
     hand.pick("Forward")
     taught = hand.examples
     hand.undo()
-    hand.key(Qt.Key.Key_Z, CONTROL | SHIFT)
+    hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
     assert hand.examples == taught
+    same_everywhere(hand)
+
+
+def test_redo_lets_the_node_do_again_what_the_pick_had_it_do(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(1)
+    hand.pick("RotateLeft")
+    hand.hold(1)
+    after = hand.studio.document.project
+    for state in ("forward", "start"):
+        hand.undo()
+        assert hand.studio.teaching.state == state
+    for state in ("forward", "rotate-left"):
+        hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
+        hand.wait(lambda: hand.studio.teaching.state == state)  # noqa: B023 - called at once
+        same_everywhere(hand)
+    assert hand.studio.document.project is after
+    assert hand.lesson.acts == 2
+
+
+def test_a_lesson_whose_pick_was_taken_back_and_done_again_is_still_kept(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(2)
+    hand.pick("RotateLeft")
+    kept = hand.studio.document.project.demonstrations
+    hand.undo()
+    hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
+    same_everywhere(hand)
+    assert hand.studio.document.project.demonstrations == kept
+    assert hand.lesson.obstacle == ""
+
+
+def test_keys_for_undo_and_redo_in_a_hurry_are_obeyed_in_their_order(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    for name in ("Forward", "RotateLeft"):
+        hand.pick(name)
+        hand.hold(1)
+    after = hand.studio.document.project
+    for keys in (CONTROL, CONTROL, CONTROL | SHIFT, CONTROL | SHIFT):
+        hand.key(Qt.Key.Key_Z, keys)
+    hand.wait(lambda: hand.studio.document.project is after and hand.studio.teaching.state == "rotate-left")
+    same_everywhere(hand)
+
+
+def test_redo_of_a_pick_of_a_lesson_that_is_over_brings_its_examples_back(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    after = hand.studio.document.project
+    hand.undo()
+    hand.act(lambda: hand.key(Qt.Key.Key_Escape))
+    hand.key(Qt.Key.Key_Z, CONTROL | SHIFT)
+    hand.wait(lambda: hand.studio.document.project is after)
+    assert not hand.said
     same_everywhere(hand)
 
 
@@ -167,6 +222,7 @@ def undo(hand: Hand, _choose: random.Random) -> None:
 
 def redo(hand: Hand, _choose: random.Random) -> None:
     hand.studio.redo()
+    hand.wait(lambda: not hand.studio._undo_ticket)
 
 
 def teach_again(hand: Hand, _choose: random.Random) -> None:

@@ -145,6 +145,15 @@ def test_what_was_picked_before_a_test_is_taken_back_before_it_is_learned_from()
     check(driver)
 
 
+@pytest.mark.parametrize("ticks", [0, 2])
+def test_picks_that_are_done_again_at_once_were_never_taken_back(ticks: int) -> None:
+    driver = lesson().pick("up").advance(3).pick(TOWARD).advance(ticks)
+    before = acts(driver)
+    driver.undo().undo().redo().redo()
+    assert acts(driver) == before
+    check(driver.advance().pick("down").advance())
+
+
 def test_when_all_is_taken_back_there_is_nothing_to_keep() -> None:
     driver = lesson().pick("up").advance().undo()
     assert driver.demonstration is None
@@ -233,6 +242,7 @@ def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
     ("spoil", "why"),
     [
         (lambda d: [d.send(MoveEntity(0, 40.0, 0.0)).advance(), d.send(UndoMove(1))], "moved back"),
+        (lambda d: d.undo().advance().redo(), "done again later"),
         (lambda d: d.reset(2), "begun again"),
         (lambda d: d.edit(note_state, *SHUTTLE, "up", "a note"), "behaviors were changed"),
         (lambda d: d.edit(disable_examples, *SHUTTLE, ["1"]), "examples were changed"),

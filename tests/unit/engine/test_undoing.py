@@ -1,10 +1,13 @@
 """Taking picks back one by one, also after ticks have passed, and what controllers direct with them."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.core.automaton import START
-from app.core.edits import disable_examples
-from app.engine.commands import Others, Pick, UndoPick
+from app.core.edits import disable_examples, remove_state
+from app.engine.commands import Others, Pick, RedoPick, ShouldNotHaveLeft, UndoPick
+from app.engine.snapshots import Snapshot
 from tests.driver import Driver
 
 
@@ -165,3 +168,108 @@ def test_a_state_that_is_picked_again_by_what_it_holds_after_undo_gets_its_id_ag
     assert driver.automaton.states[1].id == "up"
     driver.session.send(Pick("agent-1", "up"))
     driver.listen()
+
+
+# ------------------------------------------------------------------------------------------------- done again
+
+
+def looks(driver: Driver) -> Snapshot:
+    """What is seen, whatever was sent to get there."""
+    return replace(driver.session.snapshot(), acknowledged=0, revision=0)
+
+
+@pytest.mark.parametrize("ticks", [0, 3])
+def test_a_pick_that_is_done_again_at_once_is_as_if_it_had_never_been_taken_back(ticks: int) -> None:
+    driver = lesson().pick("up").advance(3).pick("down").advance(ticks)
+    before, examples = looks(driver), driver.examples
+    driver.undo().redo()
+    assert (looks(driver), driver.examples) == (before, examples)
+    assert driver.advance(2).state() == "down"
+
+
+def test_a_pick_that_is_done_again_later_lets_the_node_do_what_it_did_then() -> None:
+    driver = lesson().pick("up").advance(3).pick("signal").advance(2)
+    inside = driver.state()
+    driver.undo().advance(4).redo()
+    assert driver.state() == inside
+    assert driver.advance().place() == 3.0 + 2.0 + 4.0 + 1.0
+
+
+def test_a_pick_that_no_tick_had_carried_out_is_carried_out_once_it_is_done_again() -> None:
+    driver = lesson().pick("up").advance(3).pick("down").undo().advance(2).redo()
+    assert driver.state() == "up"
+    assert driver.advance().state() == "down"
+    assert driver.undo().state() == "up"
+
+
+def test_picks_are_done_again_one_by_one_and_can_be_taken_back_again() -> None:
+    driver = lesson().pick("up").advance().pick("jump").advance().pick("down").advance()
+    taught = driver.taught
+    for _ in range(2):
+        for _ in range(3):
+            driver.undo()
+        assert (driver.taught, driver.state()) == ([], START)
+        states = [driver.redo().state() for _ in range(3)]
+        assert (states, driver.taught) == (["up", "jump", "down"], taught)
+
+
+def test_a_state_that_a_pick_added_comes_back_with_it_and_the_node_in_it() -> None:
+    driver = Driver().teach("agent-1", "Seek", target="lamp").pick("Up").advance(2).undo()
+    assert not driver.automaton.has_state("up")
+    driver.redo()
+    assert (driver.state(), driver.automaton.has_state("up")) == ("up", True)
+
+
+def test_a_correction_that_is_done_again_takes_the_node_out_of_the_test_again() -> None:
+    driver = in_a_test().pick("jump", "agent-2").advance(2).undo().redo()
+    assert (driver.view("agent-2").taught, driver.state("agent-2")) == (True, "jump")
+    driver.undo()
+    assert not driver.view("agent-2").taught
+
+
+def test_should_not_have_left_is_done_again_too() -> None:
+    driver = lesson().pick("up").advance(3).pick("down").advance(2).test().advance(6)
+    taught = driver.should_not_have_left().taught
+    driver.undo().redo()
+    assert (driver.taught, driver.view().taught) == (taught, True)
+    assert "left no state by itself" in driver.refused(ShouldNotHaveLeft("agent-1"))
+
+
+def test_of_a_pick_of_before_the_test_only_the_examples_come_back() -> None:
+    driver = lesson().pick("up").advance(3).pick("down").advance(2)
+    taught = driver.taught
+    driver.undo().test().advance(2)
+    was = driver.state()
+    driver.redo()
+    assert (driver.taught, driver.state(), driver.view().taught) == (taught, was, False)
+
+
+def test_a_pick_for_a_controller_that_is_done_again_lets_all_below_it_do_what_they_did() -> None:
+    driver = Driver(arm="groups").teach("group-1", "Lead").pick("signal").advance(2).pick("down").advance(2)
+    below = [driver.view(agent).basic for agent in ("agent-1", "agent-2")]
+    driver.undo().redo()
+    assert driver.state("group-1") == "down"
+    assert [driver.view(agent).basic for agent in ("agent-1", "agent-2")] == below
+
+
+@pytest.mark.parametrize("between", ["another pick", "another lesson", "changed examples"])
+def test_nothing_is_done_again_once_something_else_was_taught(between: str) -> None:
+    driver = lesson().pick("up").advance().pick("down").advance().undo()
+    match between:
+        case "another pick":
+            driver.pick("jump")
+        case "another lesson":
+            driver.teach("agent-1", "Shuttle")
+        case _:
+            driver.edit(disable_examples, "agent", "Shuttle", ["1"])
+    taught = driver.taught
+    assert "was taken back and could be done again" in driver.refused(RedoPick())
+    assert driver.taught == taught
+
+
+def test_a_pick_whose_state_is_gone_is_not_done_again() -> None:
+    driver = lesson().pick("jump").advance().pick(START).undo().undo()
+    driver.edit(remove_state, "agent", "Shuttle", "jump")
+    before = driver.session.project
+    driver.refused(RedoPick())
+    assert driver.session.project is before
