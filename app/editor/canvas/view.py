@@ -278,13 +278,21 @@ class WorldCanvas(Surface):
         return self._soon.is_due
 
     def _paint_anew(self) -> None:
-        self._is_stale = self.window().isMinimized()  # nobody can see it
+        self._is_stale = self._is_unseen
         if not self._is_stale:
             self._picture.paint_anew()
             self.update()
 
+    @property
+    def _is_unseen(self) -> bool:
+        """Whether nobody can see it, though Qt may still want it painted."""
+        return self.window().isMinimized()
+
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Show what was painted last."""
+        if self._is_unseen:
+            self._is_stale = True
+            return
         if self._is_stale:
             self.touch()
         self._picture.show(self._studio.theme.color("canvas"))
