@@ -12,6 +12,7 @@ from PySide6.QtCore import QAbstractItemModel, QMimeData, QModelIndex, QPersiste
 
 from ...core.amounts import counted
 from ...learner.trainer import Key
+from ..row_spans import spans
 from .fits import Fit, Fits
 from .order import moves
 from .survey import Group, Kind, Row, RowKey
@@ -99,18 +100,19 @@ class LibraryModel(QAbstractItemModel):
         if len(rows) == len(branch.rows) and all(map(is_, rows, branch.rows)):
             return
         parent, keys = self.index(self._branches.index(branch), 0), {row.key for row in rows}
-        for at in reversed(range(len(branch.rows))):
-            if branch.rows[at].key not in keys:
-                self.beginRemoveRows(parent, at, at)
-                del branch.rows[at]
-                self.endRemoveRows()
+        gone = [at for at, row in enumerate(branch.rows) if row.key not in keys]
+        for first, last in reversed(list(spans(gone))):
+            self.beginRemoveRows(parent, first, last)
+            del branch.rows[first : last + 1]
+            self.endRemoveRows()
         self._order(branch, parent, rows)
+        known = {row.key for row in branch.rows}
+        for first, last in spans(at for at, row in enumerate(rows) if row.key not in known):
+            self.beginInsertRows(parent, first, last)
+            branch.rows[first:first] = rows[first : last + 1]
+            self.endInsertRows()
         for at, row in enumerate(rows):
-            if at == len(branch.rows) or branch.rows[at].key != row.key:
-                self.beginInsertRows(parent, at, at)
-                branch.rows.insert(at, row)
-                self.endInsertRows()
-            elif branch.rows[at] != row:
+            if branch.rows[at] != row:
                 branch.rows[at] = row
                 self._told(self.index(at, 0, parent))
 
