@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from ..forms.buttons import closing
 from ..forms.late_pages import LatePages
+from ..room import resize_within
 from .arms_page import ArmsPage
 from .types_page import TypesPage
 from .worlds_page import WorldsPage
@@ -50,9 +51,10 @@ class ArmsDialog(QDialog):
         column = QVBoxLayout(self)
         column.addWidget(self.tabs, 1)
         column.addWidget(closing(self))
-        self.resize(720, 520)
-        studio.opened.connect(self.close)
-        studio.closing.connect(self.close)
+        resize_within(self, 720, 520)
+        self.finished.connect(lambda _: self._settle())
+        studio.opened.connect(self._leave)
+        studio.closing.connect(self._leave)
 
     @property
     def arms(self) -> ArmsPage:
@@ -68,6 +70,16 @@ class ArmsDialog(QDialog):
     def types(self) -> TypesPage:
         """Who may stand under whom."""
         return self.tabs.page(TYPES, TypesPage)
+
+    def _settle(self) -> None:
+        for page in self.tabs.made(ArmsPage):
+            page.settle()
+
+    def _leave(self) -> None:
+        """The project is another one: what was meant for the last one is not for this."""
+        for page in self.tabs.made(ArmsPage):
+            page.table.forget()
+        self.close()
 
     def turn_to(self, page: str) -> None:
         """Show a page by its name."""

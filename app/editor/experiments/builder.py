@@ -34,6 +34,7 @@ from ...engine.experiments.load import experiments_in
 from ...engine.experiments.plan import Design, Experiment, Kind, Treated
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import Complaint, caption, framed
+from ..room import resize_within
 from .draft import SAYS, Draft, drafted, shown_claim, shown_factor
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class ExperimentBuilder(QDialog):
         column.addWidget(tabs, 1)
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
-        self.resize(760, 520)
+        resize_within(self, 760, 520)
         self.title.setFocus()
 
     # --------------------------------------------------------------------------------------------- fields

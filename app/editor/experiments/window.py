@@ -19,6 +19,7 @@ from ...engine.experiments.store import ResultsError
 from ..documents.asking import Answer, Question
 from ..documents.background import Background
 from ..forms.parts import caption
+from ..room import resize_within
 from ..soon import Soon
 from .controls import Controls
 from .listing import EMPTY, UNSAVED, ExperimentList
@@ -58,7 +59,7 @@ class ExperimentsWindow(QWidget):
         self._list = Soon(self, self.refresh)  # the window is there before the first experiment has been read
         self._lay_out()
         self._connect()
-        self.resize(1100, 720)
+        resize_within(self, 1100, 720)
         self._opened()
 
     def _lay_out(self) -> None:

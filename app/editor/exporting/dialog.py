@@ -32,6 +32,7 @@ from ..actions import ActionRow, when_open
 from ..documents.background import Background
 from ..documents.choosing import choose_file
 from ..forms.parts import Complaint, caption
+from ..room import resize_within
 from ..selection import BehaviorKey
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ class ExportDialog(QDialog):
         column.addWidget(self.trouble)
         column.addStretch(1)
         column.addWidget(self.buttons)
-        self.resize(560, 240)
+        resize_within(self, 560, 240)
 
     def _offers(self) -> list[tuple[str, What]]:
         """The arm that is shown first, then the behavior that is, then all others."""

@@ -37,6 +37,7 @@ from ..documents.choosing import choose_existing
 from ..forms.buttons import stand_back
 from ..forms.parts import Complaint, caption
 from ..letters import plain
+from ..room import resize_within
 from ..selection import BehaviorKey
 from ..studio import Message
 
@@ -140,7 +141,7 @@ class ImportDialog(QDialog):
         column.addWidget(self.note)
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
-        self.resize(680, 420)
+        resize_within(self, 680, 420)
 
     def _browse(self) -> None:
         beside = Path(self.path.text()).parent

@@ -21,6 +21,7 @@ from ...core.naming import natural
 from ...core.vocabulary import BasicBehavior
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import framed
+from ..room import resize_within
 from ..selection import BehaviorKey
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class ReplaceDialog(QDialog):
         column.setSpacing(8)
         for part in (words, listed, self.chooser, buttons):
             column.addWidget(part)
-        self.resize(520, 280)
+        resize_within(self, 520, 280)
         self.chooser.setFocus()
 
     def _choices(self) -> list[Choice]:

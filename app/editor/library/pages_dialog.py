@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QWidget
 
 from ..forms.late_pages import LatePages
+from ..room import resize_within
 from .editing import Editing
 from .features_page import FeaturesPage
 from .general_page import GeneralPage
@@ -29,7 +30,7 @@ class PagesDialog(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.tabs = LatePages()
-        self.resize(620, 460)
+        resize_within(self, 620, 460)
         self.finished.connect(self._stop_validating)
 
     @property

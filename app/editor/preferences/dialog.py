@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..actions import ActionRow
 from ..number_box import roomy
+from ..room import resize_within
 from ..size import size_in_force, sizes_that_fit
 from ..theme import ThemeMode
 from .keys import KeysPage
@@ -47,7 +48,7 @@ class Preferences(QDialog):
         self._studio = studio
         self.setWindowTitle("Preferences")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(620, 560)
+        resize_within(self, 620, 560)
         self.theme = QComboBox()
         for mode, text in _THEMES.items():
             self.theme.addItem(text, mode)

@@ -14,6 +14,7 @@ from ...core.project import Demonstration, Project
 from ..actions import ActionRow, when_open
 from ..forms.buttons import closing
 from ..forms.parts import Item, OrderedList
+from ..room import resize_within
 from .replay_check import ReplayCheck
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class DemonstrationsDialog(QDialog):
         column.addLayout(form)
         column.addWidget(self.check)
         column.addWidget(closing(self))
-        self.resize(560, 520)
+        resize_within(self, 560, 520)
         studio.document.project_changed.connect(self.refresh)
         studio.opened.connect(self.close)
         studio.closing.connect(self.close)

@@ -24,6 +24,7 @@ from ..exporting.import_dialog import import_rows
 from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
+from ..room import resize_within
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, has_keys, is_in_sight, place_docks, share_places, size_docks
 from .help_rows import help_rows
@@ -99,7 +100,7 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.busy)
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
-        self.resize(SIZE)
+        resize_within(self, SIZE.width(), SIZE.height())
         self._place_docks()
         for panel in (self.canvas, *(dock.widget() for dock in self.docks.values())):
             frame_views(panel, studio.theme)

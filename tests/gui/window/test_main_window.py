@@ -1,8 +1,8 @@
 """The window's frame: docks, menus from the table, undo, arms."""
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QMenu, QPushButton, QTabBar, QToolButton
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QMenu, QPushButton, QTabBar, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app import __version__
@@ -14,12 +14,13 @@ from app.editor.documents.asking import Question
 from app.editor.focus_frame import FocusFrame
 from app.editor.graph.view import GraphView
 from app.editor.preferences.dialog import Preferences
+from app.editor.room import resize_within
 from app.editor.selection import BehaviorKey
 from app.editor.settings import Settings
 from app.editor.studio import Studio
 from app.editor.theme import Theme
 from app.editor.window.docks import DOCKS
-from app.editor.window.main_window import MainWindow
+from app.editor.window.main_window import SIZE, MainWindow
 from app.editor.window.status_bar import StatusBar
 from app.editor.window.toolbar import Toolbar
 from app.engine.scenarios import open_scenario
@@ -366,3 +367,18 @@ def test_what_the_tool_bar_has_no_room_for_opens_at_its_end(window: MainWindow, 
     window.resize(1440, 900)
     qtbot.waitUntil(lambda: not more.isVisible())
     assert tools.arm.isVisible()
+
+
+def test_the_first_window_and_dialogs_are_no_larger_than_the_screen(
+    empty_studio: Studio, qtbot: QtBot
+) -> None:
+    window = MainWindow(empty_studio)
+    qtbot.addWidget(window)
+    window.take_place()
+    room = window.screen().availableSize()
+    assert room.width() < SIZE.width()
+    assert window.size() == SIZE.boundedTo(room)
+    assert window.isMaximized()
+    dialog = QDialog(window)
+    resize_within(dialog, 2 * room.width(), 100)
+    assert dialog.size() == QSize(room.width(), 100)
