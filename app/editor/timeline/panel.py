@@ -12,14 +12,16 @@ from ...core.hierarchy import Node
 from ...core.wording import node_words, state_words
 from ...engine.commands import GoTo, Pause
 from ...engine.snapshots import Mode, Moved, Picked, TakenBack
+from ...sim.doing import BehaviorRef
+from ..diagram.label_colors import state_colors
+from ..palette import BASIC
 from ..selection import BehaviorKey
 from ..soon import Later
-from .past import Past
+from .past import Doing, Past
 from .strip import PickDot, Shown, Strip
 
 if TYPE_CHECKING:
     from ...engine.snapshots import Snapshot
-    from ...sim.doing import BehaviorRef
     from ..studio import Studio
 
 #: Milliseconds between two drawings.
@@ -37,7 +39,8 @@ class TimelinePanel(QWidget):
         self._studio = studio
         self.past = Past()
         self._picks: list[PickDot] = []
-        self.strip = Strip(studio.theme, self.past, self._color)
+        self._looks: dict[Doing, tuple[str, QColor]] = {}
+        self.strip = Strip(studio.theme, self.past, self._look)
         self._lay_out()
         self._live = Later(self, self.redraw, REDRAW)
         bridge = studio.bridge
@@ -135,6 +138,7 @@ class TimelinePanel(QWidget):
         self._pages.setCurrentIndex(int(has_run))
         if snapshot is None or not has_run or not self.isVisible():
             return
+        self._looks.clear()  # names and colors may be others by now
         measures = list(snapshot.measures)
         ends = self.past.points[0].tick, self.past.points[-1].tick
         self.strip.show_now(
@@ -172,6 +176,21 @@ class TimelinePanel(QWidget):
         selection.select_behavior(BehaviorKey(*dot.key))
         selection.select_examples(dot.examples)
 
-    def _color(self, shown: BehaviorRef) -> QColor:
-        colors = self._studio.colors
-        return colors.color(shown.type, shown.id) if shown.id else colors.of_name(shown.name)
+    def _look(self, doing: Doing) -> tuple[str, QColor]:
+        """What is done in words, and its color."""
+        if doing not in self._looks:
+            self._looks[doing] = self._looked_up(doing)
+        return self._looks[doing]
+
+    def _looked_up(self, doing: Doing) -> tuple[str, QColor]:
+        studio = self._studio
+        if isinstance(doing, BehaviorRef):
+            colors = studio.colors
+            color = colors.color(doing.type, doing.id) if doing.id else colors.of_name(doing.name)
+            return doing.name, color
+        automaton = studio.document.automaton(doing.type, doing.automaton)
+        if automaton is None:
+            return doing.state, QColor(BASIC)
+        colors_of = state_colors(automaton, doing.type, studio.colors, studio.theme)
+        words = state_words(automaton, doing.state, studio.document.project.library(doing.type))
+        return words, colors_of.get(doing.state, QColor(BASIC))

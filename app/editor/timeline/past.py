@@ -7,11 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ...core.automaton import START
+from ...sim.doing import BehaviorRef, StateRef
 from ..record import Point, Record
 
 if TYPE_CHECKING:
     from ...engine.snapshots import Snapshot
-    from ...sim.doing import BehaviorRef
+#: What a node does, as it is shown.
+Doing = BehaviorRef | StateRef
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,12 +22,12 @@ class Span:
     """A node doing the same from one tick to another.
 
     Attributes:
-        shown: The behavior that colors it; None while it idles.
+        doing: The state of its outermost automaton, or the basic behavior that it was told to do; None while it idles.
     """
 
     first: int
     last: int
-    shown: BehaviorRef | None
+    doing: Doing | None
 
 
 class Past:
@@ -85,16 +88,16 @@ class Past:
     def spans(self, node: str) -> list[Span]:
         """What a node did, one span after the other."""
         spans: list[Span] = []
-        first, shown = 0, None
+        first, doing = 0, None
         for number, point in enumerate(self.points):
-            now = shown_by(point, node)
+            now = done_by(point, node)
             if number == 0:
-                first, shown = point.tick, now
-            elif now != shown:
-                spans.append(Span(first, point.tick, shown))
-                first, shown = point.tick, now
+                first, doing = point.tick, now
+            elif now != doing:
+                spans.append(Span(first, point.tick, doing))
+                first, doing = point.tick, now
         if self.points:
-            spans.append(Span(first, self.points[-1].tick, shown))
+            spans.append(Span(first, self.points[-1].tick, doing))
         return spans
 
     def counted(self, measure: str) -> list[int]:
@@ -107,8 +110,12 @@ class Past:
         ]
 
 
-def shown_by(point: Point, node: str) -> BehaviorRef | None:
-    """The behavior that colored a node; None if it idled, or was not there."""
-    row = point.doing.rows.get(node)
-    number = -1 if row is None else int(point.doing.shown[row])
-    return None if number < 0 else point.doing.behaviors[number]
+def done_by(point: Point, node: str) -> Doing | None:
+    """What a node did; None if it idled, which Start is, too, or was not there."""
+    all_do, row = point.doing, point.doing.rows.get(node)
+    if row is None:
+        return None
+    state, behavior = int(all_do.state[row, 0]), int(all_do.behavior[row, 0])
+    if state >= 0:
+        return None if all_do.states[state].state == START else all_do.states[state]
+    return all_do.behaviors[behavior] if behavior >= 0 else None

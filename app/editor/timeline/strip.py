@@ -14,7 +14,7 @@ from ...core.amounts import counted
 from ..behavior_colors import luminance
 from ..diagram.strokes import elided, text_width
 from ..theme import CAPTION, text_font
-from .past import Past, Span
+from .past import Doing, Past, Span
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -90,9 +90,10 @@ class Strip(QWidget):
     tick_wanted = Signal(int)
     pick_chosen = Signal(object)
 
-    def __init__(self, theme: Theme, past: Past, color: Callable[[BehaviorRef], QColor]) -> None:
+    def __init__(self, theme: Theme, past: Past, look: Callable[[Doing], tuple[str, QColor]]) -> None:
+        """Show *past*; *look* says what is done in words, and its color."""
         super().__init__()
-        self._theme, self._past, self._color = theme, past, color
+        self._theme, self._past, self._look = theme, past, look
         self.shown = Shown()
         self._spans: dict[str, list[Span]] = {}
         self._counts: dict[int, Mapping[BehaviorRef, int]] = {}
@@ -182,7 +183,7 @@ class Strip(QWidget):
         for node, words in self.shown.nodes:
             span = next((s for s in reversed(self._spans.get(node, [])) if s.first <= tick), None)
             if span is not None:
-                told.append(f"{words}: {'idle' if span.shown is None else span.shown.name}")
+                told.append(f"{words}: {'idle' if span.doing is None else self._look(span.doing)[0]}")
         if self.shown.measure and point is not None:
             told.append(f"{self.shown.measure} {point.measures.get(self.shown.measure, 0.0):,.0f}")
         return ", ".join(told)
@@ -293,22 +294,22 @@ class Strip(QWidget):
             if counts.get(ref):
                 high = place.height() * counts[ref] / total
                 painter.fillRect(
-                    QRectF(place.x(), y - high, self.x_of(end) - place.x() + 1, high), self._color(ref)
+                    QRectF(place.x(), y - high, self.x_of(end) - place.x() + 1, high), self._look(ref)[1]
                 )
                 y -= high
 
     def _paint_span(self, painter: QPainter, row: int, span: Span) -> None:
-        if span.shown is None:
+        if span.doing is None:
             return
+        words, color = self._look(span.doing)
         left, right = self.x_of(span.first), self.x_of(span.last)
         place = QRectF(left, self.middle_of(row) - self._band / 2, max(1.0, right - left - 1.0), self._band)
-        color = self._color(span.shown)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(color)
         painter.drawRoundedRect(place, min(3.0, place.width() / 2), 3.0)
-        if text_width(span.shown.name, CAPTION) <= place.width() - 8:
+        if text_width(words, CAPTION) <= place.width() - 8:
             painter.setPen(QColor("#14161b" if luminance(color) > BRIGHT else "#ffffff"))
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, span.shown.name)
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
 
     def _paint_events(self, painter: QPainter) -> None:
         middle = self.middle_of(len(self.rows()) - 1)

@@ -12,6 +12,7 @@ from app.editor.timeline.strip import DOT, short, step_of
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Pause, Pick, Play, Step, Teach
 from app.engine.snapshots import Mode
+from app.sim.doing import StateRef
 from tests.gui.conftest import PATIENCE
 
 
@@ -64,14 +65,27 @@ def test_what_the_selected_agent_did_is_drawn_in_the_colors_of_behaviors(
     qtbot.waitUntil(lambda: "Agent 3" in panel.strip.rows(), timeout=PATIENCE)
     spans = panel.past.spans("agent-3")
     assert spans[0].first == panel.past.points[0].tick
-    last = spans[-1].shown
-    assert last is not None
     wide = max(spans, key=lambda span: span.last - span.first)
-    assert wide.shown is not None
+    assert isinstance(wide.doing, StateRef)
+    assert (wide.doing.type, wide.doing.automaton) == ("agent", "forage")
+    expected = window.studio.colors.color(
+        "agent", wide.doing.state
+    )  # its states are called like their behaviors
     x = panel.strip.x_of(wide.first) + 6
-    expected = window.studio.colors.color("agent", wide.shown.id)
     assert color_at(panel, x, panel.strip.middle_of(panel.strip.rows().index("Agent 3"))) == expected
-    assert f"Agent 3: {last.name}" in panel.strip.words_at(shown(window))
+    held = {"wander": "Wander", "return-with-box": "ReturnWithBox"}
+    assert f"Agent 3: {held[wide.doing.state]}" in panel.strip.words_at((wide.first + wide.last) // 2)
+
+
+def test_of_a_controller_it_is_said_what_it_directs(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(window.studio.bridge.place_changed, timeout=PATIENCE):
+        window.studio.use_arm("one level")
+    window.studio.selection.select_nodes(["group-2"])
+    passes(window, panel, qtbot, 100)
+    qtbot.waitUntil(lambda: "Group 2" in panel.strip.rows(), timeout=PATIENCE)
+    assert "Group 2: Forage" in panel.strip.words_at(panel.past.points[1].tick)
 
 
 def test_a_click_shows_the_world_as_it_was_and_what_came_then_stays_in_sight(
