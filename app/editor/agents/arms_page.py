@@ -79,6 +79,7 @@ class ArmsPage(QWidget):
         self.parameters.settled.connect(studio.document.end_gesture)
         self.trouble = Complaint(theme)
         self.detail, self.parts = QWidget(), QTabWidget()
+        self._shown = ""
         self._lay_out()
         studio.document.project_changed.connect(self.refresh)
         self.refresh()
@@ -122,7 +123,17 @@ class ArmsPage(QWidget):
         items = [Item(a.name, a.name, a.note) for a in self._studio.document.project.arms]
         self.arms.show_items(items, wanted)
 
+    def settle(self) -> None:
+        """Make the forest of the table: who turns to something else may have thought that it is."""
+        draft, name = self.table.draft, self._shown
+        if draft is not None and any(arm.name == name for arm in self._studio.document.project.arms):
+            self.table.forget()
+            self._do(set_hierarchy, name, draft)
+
     def _show_chosen(self) -> None:
+        if self._shown != self.arms.current:
+            self.settle()
+            self._shown = self.arms.current
         arm, document = self._arm, self._studio.document
         self.detail.setVisible(arm is not None)
         self.copy.setEnabled(arm is not None)
@@ -207,9 +218,7 @@ class ArmsPage(QWidget):
     def _use(self) -> None:
         arm = self._arm
         if arm is not None:
-            # What was made by hand is replaced only by its own button.
-            if isinstance(arm.hierarchy, LevelTable):
-                self.table.make()
+            self.settle()
             self._studio.use_arm(arm.name)
 
     def _top_chosen(self, choice: Choice | None) -> None:

@@ -181,10 +181,16 @@ class LevelTableForm(QWidget):
         table = self.table
         self._build(table.sizes[1:], table.types[1:])
 
-    def make(self) -> None:
-        """Make the forest if the user has changed the table, and can have it so."""
-        if self.use.isEnabled():
-            self._use()
+    @property
+    def draft(self) -> LevelTable | None:
+        """What the user has changed and could have, but has not made yet; what was made by hand is not replaced so."""
+        by_hand = not isinstance(self._forest, LevelTable)
+        return None if by_hand or not self.use.isEnabled() else self.table
+
+    def forget(self) -> None:
+        """The draft is made, or not wanted."""
+        self._forest = None
+        self.use.setEnabled(False)
 
     def _use(self) -> None:
         self.wanted.emit(self.table)

@@ -4,11 +4,11 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QDoubleSpinBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.core.hierarchy import Hierarchy, Node
-from app.core.project import LevelTable
+from app.core.project import LevelTable, Project
 from app.editor.agents.arms_dialog import ArmsDialog, arms_and_worlds
 from app.editor.agents.level_table import as_table
 from app.editor.agents.panel import AgentsPanel
@@ -113,6 +113,44 @@ def test_the_world_of_an_arm_has_the_forest_that_its_table_shows(
     qtbot.waitUntil(
         lambda: studio.snapshot is not None and "agent-10" not in studio.snapshot.place.ids, timeout=PATIENCE
     )
+
+
+def test_a_table_that_was_changed_is_made_when_the_dialog_is_closed(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    page = dialog.arms
+    page.arms.choose("independent")
+    qtbot.mouseClick(page.table.above, LEFT)
+    set_number(page.table.sizes[0], qtbot, "3")
+    (box,) = dialog.findChildren(QDialogButtonBox)
+    qtbot.mouseClick(box.button(QDialogButtonBox.StandardButton.Close), LEFT)
+    assert studio.document.project.arm("independent").hierarchy == LevelTable((3, 50), ("group", "agent"))
+    studio.undo()
+    assert studio.document.project.arm("independent").hierarchy == LevelTable((50,), ("agent",))
+
+
+def test_a_table_that_was_changed_is_made_when_another_arm_is_chosen_and_of_that_arm_alone(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    page = dialog.arms
+    page.arms.choose("independent")
+    qtbot.mouseClick(page.copy, LEFT)
+    copy = studio.document.project.arms[-1].name
+    set_number(page.table.sizes[0], qtbot, "7")
+    page.arms.choose("independent")
+    assert studio.document.project.arm(copy).hierarchy == LevelTable((7,), ("agent",))
+    assert studio.document.project.arm("independent").hierarchy == LevelTable((50,), ("agent",))
+    assert page.table.sizes[0].value() == 50
+
+
+def test_what_was_begun_for_another_project_is_not_made_in_this_one(
+    dialog: ArmsDialog, studio: Studio, qtbot: QtBot, foraging: Project
+) -> None:
+    dialog.arms.arms.choose("independent")
+    set_number(dialog.arms.table.sizes[0], qtbot, "7")
+    studio.open(foraging, studio.document.scenario, None)
+    assert not dialog.isVisible()
+    assert studio.document.project is foraging
 
 
 def test_levels_are_added_by_clicks_at_one_place_also_above_all_known_types(
