@@ -8,9 +8,9 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 from pytestqt.qtbot import QtBot
 
-from app.core.automaton import START, Refit
+from app.core.automaton import START, Basic, Refit
 from app.core.conditions import Equals
-from app.core.edits import set_learned
+from app.core.edits import add_state, set_learned
 from app.core.tree import Branch, Forest, Leaf, Tree
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -50,6 +50,19 @@ def test_another_state_is_shown_when_it_is_selected(panel: TreePanel, studio: St
         studio.selection.select_state("return-with-box")
     assert panel.subject is not None
     assert panel.subject.words(panel.scene.nodes[1].knot).title == "done?"
+
+
+def test_when_the_state_that_is_shown_goes_start_is_shown(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    state = studio.document.do(add_state, *FORAGE, Basic("Forward"))
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_state(state)
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.undo()
+    assert studio.selection.state == START
+    assert panel.subject is not None
+    assert panel.subject.state == START
 
 
 def test_clicking_a_node_selects_the_examples_that_reach_it(
