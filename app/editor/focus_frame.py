@@ -15,7 +15,11 @@ BY_KEYS = (
     Qt.FocusReason.ShortcutFocusReason,
 )
 #: The keys come back to where they were.
-FOR_A_WHILE = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+FOR_A_WHILE = (
+    Qt.FocusReason.ActiveWindowFocusReason,
+    Qt.FocusReason.PopupFocusReason,
+    Qt.FocusReason.MenuBarFocusReason,
+)
 RADIUS = 4.0
 
 

@@ -264,7 +264,7 @@ class AgentsPanel(QWidget):
                 if text in str(self.model.find(node.id).data()).casefold() or text in node.id.casefold()
             ]
             self._studio.selection.select_nodes(found)
-            self.tree.setFocus()
+            self.tree.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _drop(self, nodes: Sequence[str], under: str, to: int | None) -> bool:
         known = not self.filter.text()  # places among what is hidden are unknown

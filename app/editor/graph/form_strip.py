@@ -36,10 +36,10 @@ class FormStrip(QFrame):
         rules, state: The two forms.
 
     Signals:
-        closed: The user is done with it.
+        closed: The user is done with it: why the keys go elsewhere.
     """
 
-    closed = Signal()
+    closed = Signal(Qt.FocusReason)
 
     def __init__(self, studio: Studio, scoping: Scoping) -> None:
         super().__init__()
@@ -71,7 +71,7 @@ class FormStrip(QFrame):
         close.setProperty("flat", "true")
         close.setToolTip("Close the form (Esc)")
         close.setAccessibleName("Close the form")
-        close.clicked.connect(self.closed)
+        close.clicked.connect(lambda: self.closed.emit(Qt.FocusReason.OtherFocusReason))
         head = QHBoxLayout()
         head.setContentsMargins(10, 2, 10, 0)
         head.addWidget(self._title, 1)
@@ -113,7 +113,7 @@ class FormStrip(QFrame):
                 event.accept()
                 return True
             if event.type() is QEvent.Type.KeyPress:
-                self.closed.emit()
+                self.closed.emit(Qt.FocusReason.ShortcutFocusReason)
                 return True
         return super().event(event)
 

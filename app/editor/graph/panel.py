@@ -330,13 +330,13 @@ class GraphPanel(QWidget):
             self.form.focus_first()
             QTimer.singleShot(0, self.view.show_selected)  # once the form has taken its room
 
-    def close_form(self) -> None:
+    def close_form(self, reason: Qt.FocusReason = Qt.FocusReason.OtherFocusReason) -> None:
         """No form."""
         if self.form.isVisible():
             self.form.hide()
             self.view.has_form = False
             self._hint.show()
-            self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+            self.view.setFocus(reason)
 
     def _show_form(self) -> None:
         if not self.form.isVisibleTo(self):
@@ -354,7 +354,7 @@ class GraphPanel(QWidget):
     def begin_link(self) -> None:
         """From the selected state, choosing another one draws a transition to it."""
         self.view.begin_link()
-        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.view.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self._hint.say()
 
     def remove(self) -> None:

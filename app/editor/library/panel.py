@@ -373,7 +373,7 @@ class LibraryPanel(QWidget):
         found = list(self._found())
         if found:
             self._make_current(min(found, key=self._farness))
-            self.tree.setFocus()
+            self.tree.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _found(self) -> Iterator[QModelIndex]:
         for at in range(self.shown.rowCount()):

@@ -187,6 +187,31 @@ def test_a_view_is_framed_while_keys_go_there_because_of_keys(window: MainWindow
     assert not frame.isVisible()
 
 
+def test_a_view_is_framed_again_when_escape_leads_back_to_it_from_a_form(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    window.activateWindow()
+    window.studio.selection.select_behavior(BehaviorKey("agent", "wander"), "forward")
+    window.show_panel("graph")
+    view = window.docks["graph"].findChild(GraphView)
+    assert view is not None
+    frame = view.findChild(FocusFrame)
+    assert frame is not None
+    qtbot.waitUntil(window.studio.actions["graph.edit"].isEnabled)
+    qtbot.keyClick(view, Qt.Key.Key_F2)
+    qtbot.waitUntil(lambda: not view.hasFocus() and not frame.isVisible())
+    focus = QApplication.focusWidget()
+    assert focus is not None
+    qtbot.keyClick(focus, Qt.Key.Key_Escape)
+    assert view.hasFocus()
+    assert frame.isVisible()
+    qtbot.keyClick(view, Qt.Key.Key_F10)
+    qtbot.keyClick(QApplication.activePopupWidget(), Qt.Key.Key_Escape)
+    qtbot.keyClick(window.menuBar(), Qt.Key.Key_Escape)
+    assert view.hasFocus()
+    assert frame.isVisible()
+
+
 def test_what_a_lesson_took_of_the_window_goes_back_after_it(
     window: MainWindow, studio: Studio, qtbot: QtBot
 ) -> None:
