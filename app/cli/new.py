@@ -1,5 +1,6 @@
 """``understudy new``: a project to begin with."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +8,7 @@ from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Project
 from ..core.storage import save
 from ..engine.fresh import AGENTS, fresh_project, refuse_folder
+from ..engine.scenarios import OWN_CODE, scenario_at
 from ..sim.scenarios import names, shipped
 from .console import PROGRAM, show, show_json, show_table
 from .exits import DONE
@@ -14,18 +16,31 @@ from .wording import unknown
 
 
 def make_project(folder: Path, scenario_name: str, *, as_json: bool) -> int:
-    """Make a project in *folder* and say where it is."""
+    """Make a project in *folder* and say where it is.
+
+    Args:
+        scenario_name: A shipped scenario, or a Python file that declares one, which the project then brings along.
+    """
     refuse_folder(folder)
-    if scenario_name not in names():
-        raise ScenarioError(unknown("scenario", scenario_name, names()))
-    scenario = shipped(scenario_name)
+    code = Path(scenario_name) if scenario_name.endswith(".py") else None
+    if code is None and scenario_name not in names():
+        there = unknown("scenario", scenario_name, names())
+        raise ScenarioError(f"{there}; one of your own is a file: --scenario FILE.py")
+    scenario = shipped(scenario_name) if code is None else scenario_at(code)
     project = fresh_project(folder.resolve().name, scenario)
-    save(project, folder)
+    if code is None:
+        save(project, folder)
+    else:
+        text = code.read_bytes()  # before anything is made
+        project = replace(project, scenario=OWN_CODE)
+        save(project, folder)
+        (folder / OWN_CODE).write_bytes(text)
     if as_json:
         show_json(document(project, folder))
     else:
         show(f"{folder}: {AGENTS} agents in {scenario.title.lower()}, which all do {project.arms[0].top}")
-        show(f"next: {PROGRAM} run {folder}")
+        trust = "" if code is None else " --trust"
+        show(f"next: {PROGRAM} run {folder}{trust}")
     return DONE
 
 
@@ -51,7 +66,8 @@ def refuse_incomplete(folder: Path | None, scenario_name: str | None) -> tuple[P
         raise ParameterError(f"{PROGRAM} new: name the folder, DIR, that the project is to be in")
     if scenario_name is None:
         raise ParameterError(
-            f"{PROGRAM} new: name the world that its agents live in: --scenario {' or '.join(names())}"
+            f"{PROGRAM} new: name the world that its agents live in: --scenario {' or '.join(names())}, or a FILE.py of "
+            "your own"
         )
     return folder, scenario_name
 

@@ -97,6 +97,7 @@ def studio(
 @verbs.command(
     epilog=examples(
         "understudy new my-project --scenario foraging",
+        "understudy new my-project --scenario my_world.py",
         "understudy new --list",
     )
 )
@@ -104,7 +105,9 @@ def new(
     folder: Annotated[
         Path | None, typer.Argument(metavar="DIR", help="A folder that does not exist yet, or is empty.")
     ] = None,
-    scenario: Annotated[str | None, typer.Option(help="The world that its agents live in.")] = None,
+    scenario: Annotated[
+        str | None, typer.Option(help="The world that its agents live in: a name, or a FILE.py of your own.")
+    ] = None,
     as_json: Json = False,
     scenarios: Annotated[bool, typer.Option("--list", help="List the scenarios instead.")] = False,
 ) -> int:

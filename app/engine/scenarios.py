@@ -74,6 +74,17 @@ def found_again(name: str, module: str, path: str) -> Scenario:
     raise ScenarioError(f"{path}: no scenario {name!r} is declared there")
 
 
+def scenario_at(path: Path) -> Scenario:
+    """The scenario that a file declares as ``scenario``; the file is run for it, as its author wants.
+
+    Raises:
+        ScenarioError: There is no such file, it fails, or it declares none.
+    """
+    if not path.is_file():
+        raise ScenarioError(f"{path}: there is no such file to take the scenario from")
+    return _own(path)
+
+
 def _own(path: Path) -> Scenario:
     """The scenario that the module at *path* declares as ``scenario``."""
     module = _executed(path)

@@ -2,7 +2,8 @@
 
 A scenario is one Python module. It declares parameters, kinds of entities, columns and measures, and decorates plain
 functions. One that ships with Understudy is a file in ``app/sim/scenarios``; a project brings its own as
-``scenario.py`` in its folder, says ``"scenario": "scenario.py"``, and imports all it needs from here. A whole one::
+``scenario.py`` in its folder, says ``"scenario": "scenario.py"``, and imports all it needs from here; ``understudy new
+DIR --scenario FILE.py`` begins such a project. A whole one::
 
     from dataclasses import dataclass
     from understudy.sim.scenario import FeatureKind, Scenario, World, quantity, uniform

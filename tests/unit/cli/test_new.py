@@ -10,7 +10,9 @@ from app.core.check import check
 from app.core.errors import ScenarioError
 from app.core.vocabulary import BasicBehavior, Vocabulary
 from app.engine.fresh import first_behavior, fresh_project
+from app.engine.scenarios import OWN_CODE
 from app.sim.scenarios import names, shipped
+from tests.unit.sim.test_manual import example
 
 
 @pytest.mark.parametrize("scenario", names())
@@ -33,6 +35,32 @@ def test_json_says_what_was_made(tmp_path: Path, capsys: pytest.CaptureFixture[s
     main(["new", str(tmp_path / "mine"), "--scenario", "foraging", "--json"])
     document = json.loads(capsys.readouterr().out)
     assert (document["project"], document["scenario"], document["arm"]) == ("mine", "foraging", "independent")
+
+
+def test_a_world_of_ones_own_is_a_file_that_the_project_brings_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, folder = tmp_path / "line.py", tmp_path / "mine"
+    code.write_text(example(), encoding="utf-8")
+    assert main(["new", str(folder), "--scenario", str(code)]) == 0
+    assert f"understudy run {folder} --trust" in capsys.readouterr().out
+    assert (folder / OWN_CODE).read_bytes() == code.read_bytes()
+    assert main(["check", str(folder), "--trust"]) == 0
+    assert main(["run", str(folder), "--trust", "--ticks", "2"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [(None, "no such file"), ("x = 1", "must assign a Scenario"), ("1 / 0", "line 1")]
+)
+def test_a_file_that_declares_no_world_is_refused_and_nothing_is_made(
+    text: str | None, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, folder = tmp_path / "line.py", tmp_path / "mine"
+    if text is not None:
+        code.write_text(text, encoding="utf-8")
+    assert main(["new", str(folder), "--scenario", str(code)]) == 2
+    assert said in capsys.readouterr().err
+    assert not folder.exists()
 
 
 def test_an_empty_folder_can_become_a_project(tmp_path: Path) -> None:
