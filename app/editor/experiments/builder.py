@@ -92,7 +92,18 @@ class ExperimentBuilder(QDialog):
         column.addWidget(self.trouble)
         column.addWidget(self.buttons)
         resize_within(self, 760, 520)
+        self._watch()
         self.title.setFocus()
+
+    def _watch(self) -> None:
+        """What was refused is not what stands here any more once something has changed."""
+        for field in (self.title, self.name, self.ticks, self.runs, self.seed):
+            field.textEdited.connect(self._touched)
+        for listed in (self.measures, self.arms, self.factors):
+            listed.itemChanged.connect(self._touched)
+
+    def _touched(self, _what: object = None) -> None:
+        self.trouble.say("")
 
     # --------------------------------------------------------------------------------------------- fields
 
@@ -184,6 +195,7 @@ class ExperimentBuilder(QDialog):
         box = Chooser("setting", "what is varied")
         box.offer(Choice(name, name) for name in self.settings())
         box.setEditText(setting)  # which may be one that only files name
+        box.editTextChanged.connect(self._touched)
         values_item = QTableWidgetItem(values)
         values_item.setToolTip("All values that it is to have, with commas between them: 5, 10, 20")
         self.factors.setCellWidget(row, 0, box)
@@ -222,6 +234,7 @@ class ExperimentBuilder(QDialog):
             box = QComboBox()
             box.addItems(list(dict.fromkeys(names)))
             box.setCurrentText(chosen or (names[0] if names else ""))
+            box.activated.connect(self._touched)
             self.claims.setCellWidget(row, place, box)
         says = QComboBox()
         for one, words in SAYS.items():
