@@ -38,7 +38,7 @@ def make_project(folder: Path, scenario_name: str, *, as_json: bool) -> int:
     if as_json:
         show_json(document(project, folder))
     else:
-        show(f"{folder}: {AGENTS} agents in {scenario.title.lower()}, which all do {project.arms[0].top}")
+        show(f"{folder}: {AGENTS} agents in the scenario {scenario.title!r}, which all do {project.arms[0].top}")
         trust = "" if code is None else " --trust"
         show(f"next: {PROGRAM} run {folder}{trust}")
     return DONE
