@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.automaton import START, Basic, Content, Nested
@@ -26,6 +26,7 @@ from ...core.errors import UnderstudyError
 from ...core.project import Position, Project
 from ...export.graph import Edge
 from . import clipboard
+from .lacking import need
 from .level import Drawn
 from .scene import EdgeKey, GraphScene
 from .state_item import Path
@@ -244,13 +245,18 @@ class GraphEditing:
         before = self._studio.document.project
         made = self._push(f"Copy {many} into {level.automaton.name}", step)
         if made:
-            self._tell_of_copies(before, source, ids, where)
+            self._tell_of_copies(before, source, ids, where, made.values())
         return [(*level.path, new) for new in made.values()] if made else []
 
     def _tell_of_copies(
-        self, before: Project, source: tuple[str, str], ids: Sequence[str], where: tuple[str, str]
+        self,
+        before: Project,
+        source: tuple[str, str],
+        ids: Sequence[str],
+        where: tuple[str, str],
+        copies: Iterable[str],
     ) -> None:
-        """Say what came along with copies, and what did not."""
+        """Say what came along with copies, what did not, and what they need now."""
         document, said, into = self._studio.document, [], where[0]
         if any(state in before.library(source[0]).get(source[1]).learned for state in ids):
             said.append(LEARNED_COPIED)
@@ -260,7 +266,10 @@ class GraphEditing:
         if left := left_behind(before, document.scenario.vocabulary, source, ids, where):
             name = before.library(into).get(where[1]).name
             said.append(f"transitions that look at {' or '.join(left)} did not: {name} cannot see that")
-        if said:
+        message = need(self._studio, where, copies, said)
+        if message is not None:
+            self._studio.said.emit(message)
+        elif said:
             self._studio.say("; ".join(said))
 
 

@@ -4,13 +4,18 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QPoint, QRectF, Qt
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
 
 from app.core.automaton import Basic, Nested
 from app.core.check import check
 from app.core.edits import add_automaton, add_state, duplicate_automaton
+from app.core.features import Ground
 from app.editor.graph.editing import LEARNED_COPIED
+from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
+from app.editor.window.main_window import MainWindow
 from tests.gui.graph.author import CTRL, Author, automaton
 
 AUTHORED = BehaviorKey("authored-agent", "forage")
@@ -154,3 +159,49 @@ def test_what_the_other_node_type_cannot_see_stays_behind_and_it_is_said(
     found = studio.document.automaton("group", group.id)
     assert found is not None
     assert [use.shown for use in found.features] == ["done"]
+
+
+@pytest.fixture
+def lacking(window: MainWindow, qtbot: QtBot) -> Author:
+    """A state that is bound to the parameter X was copied into Forage, which has none."""
+    panel = window.docks["graph"].widget()
+    assert isinstance(panel, GraphPanel)
+    author = Author(panel, qtbot)
+    author.show(BehaviorKey("agent", "gather-at"))
+    author.click(("goto",))
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(BehaviorKey("agent", "forage"))
+    author.key(Qt.Key.Key_V, CTRL)
+    return author
+
+
+def test_what_copied_states_are_bound_to_and_nobody_gives_them_is_told_and_added_by_a_click(
+    lacking: Author, window: MainWindow, studio: Studio
+) -> None:
+    messages = window.messages
+    assert "Goto(X) is bound to the parameter 'X', which Forage lacks: add it" in messages.words.text()
+    before = studio.document.project
+    add = next(button for button in messages.findChildren(QPushButton) if button.text() == "Add 'X'")
+    lacking.qtbot.mouseClick(add, Qt.MouseButton.LeftButton)
+    assert automaton(lacking).parameters == ("X",)
+    assert not messages.isVisible()
+    studio.undo()
+    assert studio.document.project is before
+
+
+def test_what_copied_states_are_bound_to_can_be_chosen_from_the_notice(
+    lacking: Author, window: MainWindow, studio: Studio
+) -> None:
+    bind = next(b for b in window.messages.findChildren(QPushButton) if b.text() == "Bind it…")
+    lacking.qtbot.mouseClick(bind, Qt.MouseButton.LeftButton)
+    lacking.qtbot.waitUntil(lacking.panel.form.isVisible)
+    lacking.choose(lacking.panel.form.state.slots["X"], "deposit")
+    assert automaton(lacking).states[-1].content == Nested("goto", {"X": Ground("deposit")})
+
+
+def test_the_notice_goes_once_the_copies_are_taken_back(
+    lacking: Author, window: MainWindow, studio: Studio
+) -> None:
+    assert window.messages.isVisible()
+    studio.undo()
+    lacking.qtbot.waitUntil(lambda: not window.messages.isVisible())
