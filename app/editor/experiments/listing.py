@@ -118,10 +118,11 @@ class ExperimentList(QWidget):
             window.study = None
             window.refresh()
 
+        stays = f" What was found stays in {study.path.name}." if study.path.exists() else ""
         Question(
             window,
             window.studio.theme,
             "Delete the experiment?",
-            f"The file of {name!r} is deleted. What was found stays in {study.path.name}.",
+            f"The file of {name!r} is deleted.{stays}",
             (Answer("Delete", delete), Answer("Keep it")),
         ).ask()

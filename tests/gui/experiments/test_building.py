@@ -4,9 +4,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from app.editor.documents.asking import Question
 from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
 from app.editor.window.main_window import MainWindow
+from tests.gui.conftest import PATIENCE
+from tests.gui.experiments.looking import finished, small
 
 
 def test_a_complaint_goes_once_what_it_was_about_is_changed(
@@ -24,3 +27,25 @@ def test_a_complaint_goes_once_what_it_was_about_is_changed(
     values.setText("5, 10")  # as the editor in the cell does
     assert not builder.trouble.text()
     builder.reject()
+
+
+def test_who_deletes_an_experiment_is_told_of_results_only_where_there_are_some(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    small(window, runs=1)
+    assert asked_to_delete(window, qtbot) == "The file of 'figure3' is deleted."
+    window.begin()
+    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: finished(window), timeout=PATIENCE)
+    assert "What was found stays in figure3" in asked_to_delete(window, qtbot)
+
+
+def asked_to_delete(window: ExperimentsWindow, qtbot: QtBot) -> str:
+    """Press Delete, and think better of it."""
+    qtbot.mouseClick(window.listing.delete, Qt.MouseButton.LeftButton)
+    question = next(found for found in window.findChildren(Question) if found.isVisible())
+    words = question.text
+    with qtbot.waitSignal(question.destroyed, timeout=PATIENCE):
+        qtbot.mouseClick(question.buttons[-1], Qt.MouseButton.LeftButton)
+    return words
