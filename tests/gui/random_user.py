@@ -13,6 +13,7 @@ from app.core.edits import relabel_examples, weight_examples
 from app.editor.examples.model import Column
 from app.editor.examples.panel import ExamplesPanel
 from app.editor.graph.panel import GraphPanel
+from app.editor.soon import catch_up
 from app.editor.studio import Kind
 from app.editor.window.main_window import MainWindow
 from tests.gui.canvas.pilot import Pilot
@@ -222,13 +223,15 @@ class RandomUser(Hand):
         return view
 
     def _click(self, view: QAbstractItemView, modifier: Qt.KeyboardModifier = NONE) -> str:
+        catch_up()  # nobody sees what is about to go, and an index of it is worth nothing: Qt may crash on one
         rows = [index for index in _below(view.model()) if view.visualRect(index).isValid()]
         if not rows or not view.isVisible():
             return "nothing there"
         index = self.chance.choice(rows)
+        words = str(index.data())
         view.scrollTo(index)
         self.qtbot.mouseClick(view.viewport(), LEFT, modifier, view.visualRect(index).center())
-        return str(index.data())
+        return words
 
     # ------------------------------------------------------------------------------------------------ examples
 

@@ -3,6 +3,9 @@
 from app.editor.experiments.window import ExperimentsWindow
 from app.engine.experiments.laboratory import Stage
 
+#: More runs of each arm than any machine makes while a test looks on.
+MANY = 100_000
+
 
 def told(window: ExperimentsWindow, words: str) -> bool:
     return words in window.controls.told.text()

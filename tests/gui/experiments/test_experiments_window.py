@@ -15,7 +15,7 @@ from app.editor.forms.choosing import Chooser
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import PATIENCE
 from tests.gui.documents.desk import answer, question
-from tests.gui.experiments.looking import finished, made, small, told
+from tests.gui.experiments.looking import MANY, finished, made, small, told
 from tests.patient_bot import have_done_what_is_due
 
 
@@ -107,7 +107,7 @@ def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finishe
     main, window = shown
     window.listing.choose("figure3")
     window.controls.ticks.setValue(2000)
-    window.controls.runs.setValue(500)
+    window.controls.runs.setValue(MANY)
     qtbot.keyClick(window, Qt.Key.Key_F5)
     qtbot.waitUntil(lambda: bool(window.pages.curves.names), timeout=3 * PATIENCE)
     with qtbot.waitSignal(window.studio.said, timeout=PATIENCE) as said:
@@ -131,13 +131,13 @@ def test_leaving_while_an_experiment_runs_says_what_becomes_of_it_and_can_keep_i
     main, window = shown
     window.listing.choose("figure3")
     window.controls.ticks.setValue(2000)
-    window.controls.runs.setValue(500)
+    window.controls.runs.setValue(MANY)
     qtbot.keyClick(window, Qt.Key.Key_F5)
     qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=3 * PATIENCE)
     main.close()
     asked = question(main, qtbot)
     assert "'figure3' is under way" in asked.text
-    assert "of 2,000 runs" in asked.text
+    assert f"of {4 * MANY:,} runs" in asked.text
     assert "Finished runs are kept" in asked.text
     qtbot.keyClick(asked, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: not main.files.is_asking, timeout=PATIENCE)
@@ -167,7 +167,7 @@ def test_while_one_runs_others_are_looked_at_and_what_it_has_found_so_far_is_wri
     qtbot.waitUntil(lambda: finished(window), timeout=3 * PATIENCE)
     window.listing.choose("figure3")
     window.controls.ticks.setValue(2000)
-    window.controls.runs.setValue(5000)
+    window.controls.runs.setValue(MANY)
     window.begin()
     qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() > 0, timeout=3 * PATIENCE)
     window.pages.exporting.write_data(tmp_path / "x.csv")
@@ -178,7 +178,7 @@ def test_while_one_runs_others_are_looked_at_and_what_it_has_found_so_far_is_wri
     window.controls.ticks.setValue(200)
     window.listing.choose("figure3")
     assert window.controls.ticks.value() == 2000
-    qtbot.waitUntil(lambda: told(window, "of 20,000 runs"), timeout=PATIENCE)
+    qtbot.waitUntil(lambda: told(window, f"of {4 * MANY:,} runs"), timeout=PATIENCE)
 
 
 def test_the_runs_are_sorted_by_what_they_came_to_and_the_chosen_one_stays_chosen(
@@ -356,7 +356,7 @@ def test_results_of_the_project_as_it_was_can_be_put_aside(
     main, window = shown
     small(window, runs=1)
     window.begin()
-    qtbot.waitUntil(lambda: window.pages.runs.model.rowCount() == 4, timeout=3 * PATIENCE)
+    qtbot.waitUntil(lambda: finished(window) and not window.background.busy, timeout=3 * PATIENCE)
     main.studio.document.do(set_world, "", {"boxes": 7})
     window.begin()
     qtbot.waitUntil(lambda: bool(window.findChildren(Question)), timeout=PATIENCE)

@@ -14,7 +14,7 @@ from app.editor.experiments.builder import ExperimentBuilder
 from app.editor.experiments.window import ExperimentsWindow
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import PATIENCE, said
-from tests.gui.experiments.looking import finished, small, told
+from tests.gui.experiments.looking import MANY, finished, small, told
 
 LEFT = Qt.MouseButton.LeftButton
 Shown = tuple[MainWindow, ExperimentsWindow]
@@ -55,10 +55,12 @@ def test_what_was_found_is_written_where_the_dialog_says(
 
 def test_while_an_experiment_runs_it_says_how_long_it_will_take(shown: Shown, qtbot: QtBot) -> None:
     _, window = shown
-    small(window, runs=500)
+    small(window, runs=MANY)
     window.controls.ticks.setValue(2000)
     qtbot.mouseClick(window.controls.run, LEFT)
-    qtbot.waitUntil(lambda: told(window, "of 2,000 runs, ") and told(window, " left"), timeout=3 * PATIENCE)
+    qtbot.waitUntil(
+        lambda: told(window, f"of {4 * MANY:,} runs, ") and told(window, " left"), timeout=3 * PATIENCE
+    )
     qtbot.mouseClick(window.controls.cancel, LEFT)
     qtbot.waitUntil(lambda: told(window, "Cancelled;"), timeout=3 * PATIENCE)
 
