@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from ...core.automaton import START
@@ -30,6 +30,24 @@ class Span:
     doing: Doing | None
 
 
+class _Known:
+    """The spans of a node as far as points have been looked at."""
+
+    def __init__(self, version: int) -> None:
+        self.version = version
+        self.count = 0
+        self.spans: list[Span] = []
+
+    def go_on(self, tick: int, doing: Doing | None) -> None:
+        """One more point."""
+        self.count += 1
+        last = self.spans[-1] if self.spans else None
+        if last is not None:
+            self.spans[-1] = replace(last, last=tick)
+        if last is None or doing != last.doing:
+            self.spans.append(Span(tick, tick, doing))
+
+
 class Past:
     """Points of a run. Those ahead of now stay for as long as the run would come to the same again."""
 
@@ -37,6 +55,7 @@ class Past:
         self._record = Record()
         self._run: tuple[object, ...] = ()
         self._moved = False
+        self._known: dict[str, _Known] = {}
 
     @property
     def points(self) -> Sequence[Point]:
@@ -87,18 +106,16 @@ class Past:
 
     def spans(self, node: str) -> list[Span]:
         """What a node did, one span after the other."""
-        spans: list[Span] = []
-        first, doing = 0, None
-        for number, point in enumerate(self.points):
-            now = done_by(point, node)
-            if number == 0:
-                first, doing = point.tick, now
-            elif now != doing:
-                spans.append(Span(first, point.tick, doing))
-                first, doing = point.tick, now
-        if self.points:
-            spans.append(Span(first, self.points[-1].tick, doing))
-        return spans
+        known = self._known.get(node)
+        if known is None or known.version != self.version:
+            known = self._known[node] = _Known(self.version)
+        for point in self.points[known.count :]:
+            known.go_on(point.tick, done_by(point, node))
+        return known.spans
+
+    def look_at(self, nodes: Collection[str]) -> None:
+        """Forget the spans of all nodes but these."""
+        self._known = {node: known for node, known in self._known.items() if node in nodes}
 
     def counted(self, measure: str) -> list[int]:
         """The ticks at which a measure was seen to have grown."""

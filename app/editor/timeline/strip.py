@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,21 +13,19 @@ from ...core.amounts import counted
 from ..behavior_colors import luminance
 from ..diagram.strokes import elided, text_width
 from ..theme import CAPTION, text_font
+from .band import Band, band_of
 from .past import Doing, Past, Span
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ...core.edits.examples import Recorded
-    from ...sim.doing import BehaviorRef
     from ..theme import Theme
 
 #: Pixels: of the words beside the rows, at the right, of the axis below, and between two marks of it at least.
 LEFT, RIGHT, AXIS, APART = 76, 16, 20, 64
 #: Of a row, and of one where there is little room; of a band in it; of the dot of a pick; how near to it the mouse has to be.
 ROW, LOW_ROW, BAND, DOT, NEAR = 24, 18, 16.0, 4.0, 6.0
-#: How many columns the shares of all agents are drawn in at most.
-COLUMNS = 240
 #: From this luminance on, words on a color are dark.
 BRIGHT = 0.3
 
@@ -96,7 +93,7 @@ class Strip(QWidget):
         self._theme, self._past, self._look = theme, past, look
         self.shown = Shown()
         self._spans: dict[str, list[Span]] = {}
-        self._counts: dict[int, Mapping[BehaviorRef, int]] = {}
+        self._band_now = Band()
         self._events: list[int] = []
         self.setAccessibleName("Timeline of the run")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -108,6 +105,7 @@ class Strip(QWidget):
         """Draw it as it is now."""
         before = self.rows()
         self.shown = shown
+        self._past.look_at([node for node, _ in shown.nodes])
         self._spans = {node: self._past.spans(node) for node, _ in shown.nodes}
         self._events = self._past.counted(shown.measure) if shown.measure else []
         if before != self.rows():
@@ -266,37 +264,13 @@ class Strip(QWidget):
             )
 
     def _paint_shares(self, painter: QPainter) -> None:
-        """All agents as columns of colors; what has been counted once is kept."""
-        points = self._past.points
-        if len(points) < 2:
-            return
-        some = points[:: -(-len(points) // COLUMNS)]
-        self._counts = {
-            p.tick: found if (found := self._counts.get(p.tick)) is not None else p.doing.counts()
-            for p in some
-        }
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
-        order = sorted({ref for counts in self._counts.values() for ref in counts})
-        top, ends = self.middle_of(1) - self._band / 2, [p.tick for p in some[1:]] + [self._ends[1]]
-        for point, end in zip(some, ends, strict=True):
-            self._paint_column(
-                painter, QRectF(self.x_of(point.tick), top, 0, self._band), end, point.tick, order
-            )
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-
-    def _paint_column(
-        self, painter: QPainter, place: QRectF, end: int, tick: int, order: Sequence[BehaviorRef]
-    ) -> None:
-        counts = self._counts[tick]
-        total, y = sum(counts.values()), place.bottom()
-        for ref in order:
-            if counts.get(ref):
-                high = place.height() * counts[ref] / total
-                painter.fillRect(
-                    QRectF(place.x(), y - high, self.x_of(end) - place.x() + 1, high), self._look(ref)[1]
-                )
-                y -= high
+        """All agents in one picture: each of many calls would wait for its turn among the threads."""
+        place = QRectF(LEFT, self.middle_of(1) - self._band / 2, self.width() - LEFT - RIGHT, self._band)
+        self._band_now = band_of(
+            self._past.points, self._ends, round(place.width()), self._look, self._band_now
+        )
+        if self._band_now.picture is not None:
+            painter.drawImage(place, self._band_now.picture)
 
     def _paint_span(self, painter: QPainter, row: int, span: Span) -> None:
         if span.doing is None:

@@ -7,6 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from app.core.edits import note_project
 from app.editor.selection import BehaviorKey
+from app.editor.timeline.band import HIGH, Band, band_of
 from app.editor.timeline.panel import TimelinePanel
 from app.editor.timeline.strip import DOT, short, step_of
 from app.editor.window.main_window import MainWindow
@@ -75,6 +76,24 @@ def test_what_the_selected_agent_did_is_drawn_in_the_colors_of_behaviors(
     assert color_at(panel, x, panel.strip.middle_of(panel.strip.rows().index("Agent 3"))) == expected
     held = {"wander": "Wander", "return-with-box": "ReturnWithBox"}
     assert f"Agent 3: {held[wide.doing.state]}" in panel.strip.words_at((wide.first + wide.last) // 2)
+
+
+def test_all_agents_are_shown_by_the_shares_of_what_they_do(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    passes(window, panel, qtbot, 200)
+    strip, snapshot = panel.strip, window.studio.snapshot
+    assert snapshot is not None
+    band = band_of(panel.past.points, (0, shown(window)), 100, panel._look, Band())
+    assert band.picture is not None
+    column = [band.picture.pixelColor(99, y).name() for y in range(HIGH)]
+    counts = {ref.id: count for ref, count in snapshot.doing.counts().items()}
+    for behavior, count in counts.items():
+        drawn = column.count(window.studio.colors.color("agent", behavior).name())
+        assert abs(drawn / HIGH - count / sum(counts.values())) <= 2 / HIGH
+    most = max(counts, key=lambda behavior: counts[behavior])
+    x, y = strip.x_of(shown(window)) - 6, strip.middle_of(1)
+    assert color_at(panel, x, y) == window.studio.colors.color("agent", most)
 
 
 def test_of_a_controller_it_is_said_what_it_directs(
