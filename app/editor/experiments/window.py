@@ -94,6 +94,7 @@ class ExperimentsWindow(QWidget):
             ("F6", self.running.pause_or_resume),
             ("F7", self.running.cancel),
             ("Ctrl+W", self.close),
+            ("Esc", self.close),
             ("Ctrl+Q", self.studio.actions["file.quit"].trigger),
         ):
             QShortcut(QKeySequence(keys), self, act)
