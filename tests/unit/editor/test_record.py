@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from app.core.hierarchy import Node
-from app.editor.plots.record import MOST_POINTS, Point, Record
 from app.editor.plots.series import BehaviorShares, Lines, MeasureOf, StateShares, rows_below
+from app.editor.record import MOST_POINTS, Point, Record
 from app.sim.doing import BehaviorRef, Doing, StateRef
 
 REFS = (BehaviorRef("agent", "a", "A"), BehaviorRef("agent", "", "Go"))
