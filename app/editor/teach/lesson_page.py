@@ -238,8 +238,8 @@ class LessonPage(QWidget):
         if not keeping.on:
             return "", "Lessons are not kept as demonstrations (Teach > Keep as demonstration)"
         if why := keeping.obstacle:
-            learned = "What you pick is learned from like all else, but not kept as a demonstration to be played again"
-            return " · no demonstration", f"{learned}: {why}."
+            learned = "What you pick is learned from like all else, but not kept as a demonstration to be played again:"
+            return " · no demonstration", f"{learned}\n{why}."
         if keeping.is_kept:
             return " · kept", f"Kept as demonstration {filed!r}, which can be played again"
         return "", f"What you pick is kept as demonstration {filed!r}"
