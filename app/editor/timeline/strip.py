@@ -240,8 +240,8 @@ class Strip(QWidget):
                 self._paint_span(painter, row, span)
         self._paint_events(painter)
         self._fade(painter)
-        self._paint_picks(painter)
         self._paint_now(painter)
+        self._paint_picks(painter)
         painter.end()
 
     def _paint_words(self, painter: QPainter) -> None:
