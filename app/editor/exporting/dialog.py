@@ -29,6 +29,7 @@ from ...export.bundle import bundle_of_arm, bundle_of_behavior
 from ...export.library_file import FILE_ENDING, Exported, write
 from ...sim.scenario import Scenario
 from ..actions import ActionRow, when_open
+from ..documents.asking import Answer, Question
 from ..documents.background import Background
 from ..documents.choosing import choose_file
 from ..forms.parts import Complaint, caption
@@ -93,6 +94,7 @@ class ExportDialog(QDialog):
         self.setWindowTitle("Export")
         self._studio = studio
         self._background = Background(self)
+        self._replaced: Path | None = None
         self.what = QComboBox()
         self.what.setAccessibleName("what is exported")
         for words, what in self._offers():
@@ -166,7 +168,11 @@ class ExportDialog(QDialog):
 
     def _browse(self) -> None:
         proposed = Path(self.path.text())
-        choose_file(self, "Export to", proposed, "JSON (*.json)", lambda path: self.path.setText(str(path)))
+        choose_file(self, "Export to", proposed, "JSON (*.json)", self._choose)
+
+    def _choose(self, path: Path) -> None:
+        self._replaced = path  # who chose a file that is there has been asked already
+        self.path.setText(str(path))
 
     # ------------------------------------------------------------------------------------------- exporting
 
@@ -182,6 +188,9 @@ class ExportDialog(QDialog):
             )
             return
         project, scenario, folder = document.project, document.scenario, document.folder
+        if path.is_file() and path != self._replaced:
+            self._ask_for(path)
+            return
         examples = self.examples.isChecked()
         self.buttons.setEnabled(False)
         self._background.do(
@@ -189,6 +198,17 @@ class ExportDialog(QDialog):
             lambda bundle: self._done(bundle, path),
             self._failed,
         )
+
+    def _ask_for(self, path: Path) -> None:
+        """Ask whether a file that is there is to be replaced."""
+
+        def replaced() -> None:
+            self._replaced = path
+            self.export()
+
+        text = f"{path} is there already. What is in it would be gone."
+        answers = Answer("Replace", replaced), Answer("Cancel")
+        Question(self, self._studio.theme, "Replace the file?", text, answers).ask()
 
     def _done(self, bundle: Project, path: Path) -> None:
         count = sum(len(library.automata) for library in bundle.libraries.values())

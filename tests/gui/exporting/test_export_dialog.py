@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from app.editor.documents.asking import Question
 from app.editor.exporting.dialog import ExportDialog
 from app.editor.window.main_window import MainWindow
 from app.export.library_file import read
@@ -43,6 +44,27 @@ def test_the_arm_that_is_shown_is_offered_first_and_written(
     assert shown.args is not None
     assert "understudy run" in shown.args[0]
     assert read(tmp_path / "out.json").project.arms[0].name == "independent"
+
+
+def test_a_file_that_is_there_is_replaced_only_by_who_wants_that(
+    window: MainWindow, dialog: ExportDialog, qtbot: QtBot, tmp_path: Path
+) -> None:
+    path = tmp_path / "out.json"
+    path.write_text("mine")
+    write_to(dialog, path, qtbot)
+    for place, key in ((1, Qt.Key.Key_Escape), (0, Qt.Key.Key_Return)):
+        press_ok(dialog, qtbot)
+        qtbot.waitUntil(lambda: len(asked(dialog)) == 1, timeout=PATIENCE)
+        (question,) = asked(dialog)
+        assert path.read_text() == "mine"
+        with qtbot.waitSignal(question.destroyed, timeout=PATIENCE):
+            qtbot.keyClick(question.buttons[place], key)
+    qtbot.waitUntil(lambda: path.read_text() != "mine", timeout=PATIENCE)
+    assert read(path).project.arms[0].name == "independent"
+
+
+def asked(dialog: ExportDialog) -> list[Question]:
+    return [question for question in dialog.findChildren(Question) if question.isVisible()]
 
 
 def test_a_behavior_is_chosen_by_keys(
