@@ -3,7 +3,9 @@
 import gc
 import logging
 import sys
-from collections.abc import Sequence
+from collections import deque
+from collections.abc import Callable, Sequence
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -16,6 +18,7 @@ from ..engine.commands import GoTo, Reset
 from ..sim.scenario import Scenario
 from .settings import Settings
 from .size import use_size
+from .soon import Later
 from .studio import Studio
 from .theme import Theme
 from .told_to_end import ToldToEnd
@@ -79,21 +82,50 @@ class RunWindows:
         self._application = application
         self._window = window
         self._open: list[MainWindow] = []
+        self._begun: deque[tuple[MainWindow, Callable[[], None]]] = (
+            deque()
+        )  # with what comes once they are whole
+        self._more = Later(window, self._build)
         window.studio.window_wanted.connect(self.open)
         window.closed.connect(self.close)
 
     def open(self, project: Project, scenario: Scenario, arm: str, seed: int, tick: int) -> None:
         """Show a project in a window of its own, its arm's world at a tick."""
-        window = make_window(self._application, self._window.studio.settings)
+        window = _bare_window(self._application, self._window.studio.settings, at_once=False)
+        self._begun.append((window, partial(self._show, window, project, scenario, arm, seed, tick)))
+        self._more.ask()
+
+    def _build(self) -> None:
+        """A part at a time, so that the window that asked for another goes on."""
+        window, show = self._begun[0]
+        if not window.build_more():
+            self._begun.popleft()
+            show()
+        if self._begun:
+            self._more.ask()
+
+    def _show(
+        self, window: MainWindow, project: Project, scenario: Scenario, arm: str, seed: int, tick: int
+    ) -> None:
+        window.take_place()
         self._open.append(window)
         window.closed.connect(lambda: self._open.remove(window) if window in self._open else None)
         window.show()
-        window.studio.open(project, scenario, None, saved=True, arm=arm)
-        window.studio.bridge.send(Reset(seed))
-        window.studio.bridge.send(GoTo(tick))
+
+        def begin() -> None:
+            window.studio.open(project, scenario, None, saved=True, arm=arm)
+            window.studio.bridge.send(Reset(seed))
+            window.studio.bridge.send(GoTo(tick))
+
+        QTimer.singleShot(0, window, begin)
 
     def close(self) -> None:
-        """Close all of them."""
+        """Close all of them; those that are being built come no more."""
+        self._more.forget()
+        while self._begun:
+            unfinished, _ = self._begun.popleft()
+            unfinished.studio.shut_down()
+            unfinished.deleteLater()
         for window in list(self._open):
             window.close()
         self._open.clear()
@@ -113,10 +145,14 @@ def make_application() -> QApplication:
 
 def make_window(application: QApplication, settings: Settings) -> MainWindow:
     """A window with a studio of its own, showing the welcome page."""
-    window = MainWindow(Studio(Theme(application, settings.theme), settings))
+    window = _bare_window(application, settings, at_once=True)
     window.take_place()
     QTimer.singleShot(AHEAD, window, _import_later_things)
     return window
+
+
+def _bare_window(application: QApplication, settings: Settings, *, at_once: bool) -> MainWindow:
+    return MainWindow(Studio(Theme(application, settings.theme), settings), at_once=at_once)
 
 
 def _import_later_things() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -204,8 +204,8 @@ class _Title(QWidget):
         layout.addWidget(self.label)
 
 
-def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
-    """Make all panels and put their docks where they stand at first."""
+def place_docks(window: QMainWindow, studio: Studio) -> Iterator[Dock]:
+    """Make all panels and put their docks where they stand at first, one after another."""
     docks: dict[str, Dock] = {}
     window.setTabPosition(Area.AllDockWidgetAreas, QTabWidget.TabPosition.North)
     for row in DOCKS:
@@ -218,7 +218,7 @@ def place_docks(window: QMainWindow, studio: Studio) -> dict[str, Dock]:
         if row.tab_of:
             window.tabifyDockWidget(docks[row.tab_of], dock)
             docks[row.tab_of].raise_()
-    return docks
+        yield dock
 
 
 def share_places(window: QMainWindow, docks: Mapping[str, Dock]) -> None:

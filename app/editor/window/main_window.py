@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,6 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signa
 from PySide6.QtGui import QCloseEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget
 
-from ..actions import ActionRow, when_open
 from ..canvas.view import WorldCanvas
 from ..command_palette.catalog import Catalog, Entry, catalog_of
 from ..command_palette.field import SearchField, palette_rows
@@ -26,11 +26,12 @@ from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..room import resize_within
 from ..teach.ask_control import AskControl
-from .docks import DOCKS, Dock, has_keys, is_in_sight, place_docks, share_places, size_docks
+from .docks import DOCKS, Dock, has_keys, place_docks, share_places, size_docks
 from .help_rows import help_rows
 from .keys import OwnKeys
 from .menu_bar import fill_menu_bar, letter_menus, menu_bar_rows
 from .messages import MessageBar
+from .panel_rows import panel_rows
 from .physics import physics_rows
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
@@ -58,7 +59,12 @@ class MainWindow(QMainWindow):
 
     closed = Signal()
 
-    def __init__(self, studio: Studio) -> None:
+    def __init__(self, studio: Studio, *, at_once: bool = True) -> None:
+        """Build the window.
+
+        Args:
+            at_once: Otherwise only its frame: whoever asks for it calls `build_more` until it is whole.
+        """
         super().__init__()
         self.studio = studio
         self.setObjectName("studio")
@@ -75,6 +81,34 @@ class MainWindow(QMainWindow):
         self.experiments = Experiments(studio, self)
         self.files.what_ends = self.experiments.what_ends
         self._may_close = self._docks_shown = False
+        self.docks: dict[str, Dock] = {}
+        self._parts = self._building()
+        while at_once and self.build_more():
+            pass
+
+    def build_more(self) -> bool:
+        """Build the next part; whether there is another. All of it takes longer than another window could wait."""
+        return next(self._parts, self) is not self
+
+    def _building(self) -> Iterator[None]:
+        self._add_actions()
+        yield
+        self._add_pages()
+        yield
+        yield from self._place_docks()
+        self._add_bars()
+        yield
+        self._add_menus()
+        yield
+        self._standard = self.saveState(len(DOCKS))
+        self._connect()
+        self._opened()
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocus()  # rather than a field, which would take keys that are shortcuts
+        OwnKeys(self)
+
+    def _add_actions(self) -> None:
+        studio = self.studio
         self.palette_search = Palette(studio, self, self._catalog)
         studio.actions.add(
             (
@@ -91,6 +125,9 @@ class MainWindow(QMainWindow):
             )
         )
         studio.actions.add((*preference_rows(self), *palette_rows(self.palette_search)))
+
+    def _add_pages(self) -> None:
+        studio = self.studio
         self.canvas = WorldCanvas(studio)
         self.welcome = WelcomePage(studio)
         self.welcome.chosen.connect(self.files.open)
@@ -101,9 +138,10 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
         resize_within(self, SIZE.width(), SIZE.height())
-        self._place_docks()
-        for panel in (self.canvas, *(dock.widget() for dock in self.docks.values())):
-            frame_views(panel, studio.theme)
+        frame_views(self.canvas, studio.theme)
+
+    def _add_bars(self) -> None:
+        studio = self.studio
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
         self.addToolBar(self.toolbar)
@@ -111,26 +149,26 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar(studio, self._pages)
         self._pages.installEventFilter(self)
         self.guide = Guide(self, self._pages)
+
+    def _add_menus(self) -> None:
+        studio = self.studio
         studio.actions.add((*guide_rows(self.guide), *help_rows(self), *menu_bar_rows(self.menuBar())))
         self._build_menus()
         self.search_field = SearchField(studio)
         self.menuBar().setCornerWidget(self.search_field)
         self.search_field.show()  # the bar alone would leave it hidden
-        self._standard = self.saveState(len(DOCKS))
-        self._connect()
-        self._opened()
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setFocus()  # rather than a field, which would take keys that are shortcuts
-        OwnKeys(self)
 
-    def _place_docks(self) -> None:
-        self.docks = place_docks(self, self.studio)
+    def _place_docks(self) -> Iterator[None]:
+        for dock in place_docks(self, self.studio):
+            self.docks[dock.row.id] = dock
+            frame_views(dock.widget(), self.studio.theme)
+            yield
         for dock in self.docks.values():
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
                 signal.connect(self._fold_titles)
             dock.topLevelChanged.connect(self._settle)
             OwnKeys(dock)  # where it floats, it is a window by itself
-        self.studio.actions.add(self._dock_rows())
+        self.studio.actions.add(panel_rows(self))
 
     def _connect(self) -> None:
         studio = self.studio
@@ -211,77 +249,6 @@ class MainWindow(QMainWindow):
 
         if not floating:
             QTimer.singleShot(0, self, lay_out)
-
-    def _go_on(self, steps: int) -> None:
-        """Let keys go to the world or a panel in sight, so many places after where they go now."""
-        places = [self.canvas, *(dock.widget() for dock in self.docks.values() if is_in_sight(dock))]
-        at = next((k for k, place in enumerate(places) if has_keys(place)), -1 if steps > 0 else 0)
-        for further in range(1, len(places) + 1):
-            place = places[(at + further * steps) % len(places)]
-            place.setFocus(Qt.FocusReason.ShortcutFocusReason)
-            if has_keys(place):  # one that says what to do first may have nothing that takes keys
-                return
-
-    def _dock_rows(self) -> tuple[ActionRow, ...]:
-        return (
-            *(self._dock_row(self.docks[row.id]) for row in DOCKS),
-            *self._way_rows(),
-            ActionRow(
-                "view.standard",
-                "Standard layout",
-                "View",
-                lambda _: self.standard_layout(),
-                "panels",
-                tip="Put all panels back where they stood at first",
-                icon="view-dashboard-outline",
-                enabled=when_open,
-            ),
-        )
-
-    def _way_rows(self) -> tuple[ActionRow, ...]:
-        def row(name: str, text: str, steps: int, keys: str, icon: str) -> ActionRow:
-            tip = f"Let keys go to the {text.lower()} in sight, or to the world"
-            return ActionRow(
-                f"view.{name}",
-                text,
-                "View",
-                lambda _: self._go_on(steps),
-                "panels",
-                keys,
-                tip,
-                icon,
-                enabled=when_open,
-            )
-
-        return (
-            row("next", "Next panel", 1, "F6", "arrow-right"),
-            row("previous", "Previous panel", -1, "Shift+F6", "arrow-left"),
-        )
-
-    def _dock_row(self, dock: Dock) -> ActionRow:
-        row = dock.row
-
-        def toggle(studio: Studio) -> None:
-            if not is_in_sight(dock):
-                self.show_panel(row.id)
-            elif has_keys(dock) or not studio.actions.is_by_keys(f"view.{row.id}"):
-                self.hide_panel(row.id)
-            else:
-                self.show_panel(row.id)
-                if not has_keys(dock):  # it has nothing that takes keys
-                    self.hide_panel(row.id)
-
-        return ActionRow(
-            f"view.{row.id}",
-            row.title,
-            "View",
-            toggle,
-            "panels",
-            row.keys,
-            f"Show or hide the panel {row.title}; pressed elsewhere, its keys go into it",
-            enabled=when_open,
-            checked=lambda _: not dock.isHidden(),
-        )
 
     def _build_menus(self) -> None:
         bar, actions = self.menuBar(), self.studio.actions
