@@ -1,7 +1,6 @@
 """What is wrong with types, arms, demonstrations and examples; and refusing to run."""
 
 import re
-import time
 from dataclasses import replace
 
 import pytest
@@ -32,6 +31,7 @@ from app.core.library import Library, NodeType
 from app.core.project import Arm, Demonstration, LevelTable, Pick, Project
 from app.core.storage import layout, migrations
 from tests.samples import AGENT, GROUP, SQUAD, automaton, nested, project, state, vocabulary
+from tests.work import calls
 
 
 def errors(changed: Project) -> list[Problem]:
@@ -419,9 +419,12 @@ def test_files_are_named_as_storage_names_them() -> None:
 
 # --------------------------------------------------------------------------------------------- speed
 
+#: Of functions in Python, for a project as large as any that is in use.
+MOST_CALLS = 200_000
+
 
 def test_a_large_project_is_checked_at_once() -> None:
-    """200 behaviors and 10,000 agents within 100 ms; ten times that here, for machines that are busy."""
+    """200 behaviors and 10,000 agents: so few calls take some 20 ms, and ten times as long on a slow machine."""
     automata = dict(project().library(AGENT).automata)
     for number in range(200):
         held = (
@@ -436,7 +439,6 @@ def test_a_large_project_is_checked_at_once() -> None:
         armed(Arm("many", LevelTable((10_000,), (AGENT,)), "forage")),
         libraries={AGENT: Library(automata), GROUP: project().library(GROUP)},
     )
-    began = time.perf_counter()
-    found = check(large, vocabulary())
-    assert time.perf_counter() - began < 1.0
+    found: list[Problem] = []
+    assert calls(lambda: found.extend(check(large, vocabulary()))) < MOST_CALLS
     assert len(found) == 200  # each has a state that is never entered
