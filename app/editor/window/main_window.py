@@ -24,7 +24,6 @@ from ..exporting.import_dialog import import_rows
 from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
-from ..room import resize_within
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, has_keys, place_docks, share_places, size_docks
 from .help_rows import help_rows
@@ -137,7 +136,7 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.busy)
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
-        resize_within(self, SIZE.width(), SIZE.height())
+        self.resize(SIZE.boundedTo(self.screen().availableSize()))  # no frame is around a window all over the screen
         frame_views(self.canvas, studio.theme)
 
     def _add_bars(self) -> None:

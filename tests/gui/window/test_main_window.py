@@ -14,7 +14,7 @@ from app.editor.documents.asking import Question
 from app.editor.focus_frame import FocusFrame
 from app.editor.graph.view import GraphView
 from app.editor.preferences.dialog import Preferences
-from app.editor.room import resize_within
+from app.editor.room import FRAME, resize_within
 from app.editor.selection import BehaviorKey
 from app.editor.settings import Settings
 from app.editor.studio import Studio
@@ -406,4 +406,4 @@ def test_the_first_window_and_dialogs_are_no_larger_than_the_screen(
     assert window.isMaximized()
     dialog = QDialog(window)
     resize_within(dialog, 2 * room.width(), 100)
-    assert dialog.size() == QSize(room.width(), 100)
+    assert dialog.size() == QSize(room.width() - FRAME.width(), 100)
