@@ -136,7 +136,9 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.busy)
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
-        self.resize(SIZE.boundedTo(self.screen().availableSize()))  # no frame is around a window all over the screen
+        self.resize(
+            SIZE.boundedTo(self.screen().availableSize())
+        )  # no frame is around a window all over the screen
         frame_views(self.canvas, studio.theme)
 
     def _add_bars(self) -> None:
@@ -165,7 +167,7 @@ class MainWindow(QMainWindow):
         for dock in self.docks.values():
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
                 signal.connect(self._fold_titles)
-            dock.topLevelChanged.connect(self._settle)
+            dock.topLevelChanged.connect(partial(self._settle, dock))
             OwnKeys(dock)  # where it floats, it is a window by itself
         self.studio.actions.add(panel_rows(self))
 
@@ -239,10 +241,14 @@ class MainWindow(QMainWindow):
         for dock in self.docks.values():
             dock.fold_title(folded=not dock.isFloating() and bool(self.tabifiedDockWidgets(dock)))
 
-    def _settle(self, floating: bool) -> None:  # noqa: FBT001 - as Qt calls it
-        """Lay all docks out anew once one that floated is back: Qt leaves it where it floated if its place is the same."""
+    def _settle(self, dock: Dock, floating: bool) -> None:  # noqa: FBT001 - as Qt calls it
+        """Lay all docks out anew once one that floated is back: Qt leaves it where it floated if its place is the same.
+
+        It stands in front of the tabs there: whoever puts a panel back looks at it.
+        """
 
         def lay_out() -> None:
+            dock.raise_()
             self.setContentsMargins(0, 0, 1, 1)
             QTimer.singleShot(0, self, lambda: self.setContentsMargins(0, 0, 0, 0))
 
