@@ -144,7 +144,7 @@ class Opening:
     def _unreadable(self, wish: Wish, found: Found) -> None:
         self._give_up(found)
         problems = found.error.problems if isinstance(found.error, FilesError) else ()
-        answers = [Answer("Close")]
+        answers = [Answer("Close"), self._again(wish)]
         if found.kept is not None:
             kept = found.kept
             answers.insert(0, Answer("Open the autosave", lambda: self._files.recover(kept)))
@@ -248,9 +248,14 @@ class Opening:
         self._files.ask(
             "This project cannot be opened",
             f"{wish.folder}. Nothing has been changed.",
-            (Answer("Close"),),
+            (Answer("Close"), self._again(wish)),
             str(error),
             "alert-circle-outline",
+        )
+
+    def _again(self, wish: Wish) -> Answer:
+        return Answer(
+            "Try again", lambda: self.open(wish), "Once the files are mended, e.g. with a text editor"
         )
 
     def _give_up(self, found: Found) -> None:

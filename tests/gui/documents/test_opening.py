@@ -146,6 +146,19 @@ def test_a_shipped_project_opens_by_its_picture_and_recent_ones_can_be_forgotten
     qtbot.waitUntil(lambda: desk.studio.document.folder == FORAGING, timeout=PATIENCE)
 
 
+def test_a_damaged_project_opens_at_another_try_once_it_is_mended(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    project = folder / "project.json"
+    whole = project.read_text(encoding="utf-8")
+    project.write_text(whole.replace("{", "[", 1), encoding="utf-8")
+    desk.files.open(folder)
+    assert question(desk, qtbot).details is not None
+    project.write_text(whole, encoding="utf-8")
+    answer(desk, qtbot, "Try again")
+    qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
+
+
 def test_recent_projects_are_in_the_file_menu(desk: MainWindow, qtbot: QtBot, folder: Path) -> None:
     desk.studio.settings.remember(folder)
     desk.recent.aboutToShow.emit()
