@@ -136,9 +136,8 @@ class MainWindow(QMainWindow):
         self._pages.addWidget(self.busy)
         self._pages.addWidget(self.canvas)
         self.setCentralWidget(self._pages)
-        self.resize(
-            SIZE.boundedTo(self.screen().availableSize())
-        )  # no frame is around a window all over the screen
+        # Without room for a frame: none is around a window all over the screen.
+        self.resize(SIZE.boundedTo(self.screen().availableSize()))
         frame_views(self.canvas, studio.theme)
 
     def _add_bars(self) -> None:
