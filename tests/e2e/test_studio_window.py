@@ -120,15 +120,18 @@ def test_run_opens_the_studio_on_the_foraging_project_and_it_answers_keys_and_cl
     )
     try:
         screen.wait_for(lambda: "Box foraging" in screen.title())
-        screen.wait_for(lambda: share(screen.picture(), LIGHT.canvas) > 0.05)
-        still = screen.picture()
-        assert share(still, LIGHT.background, LIGHT.panel, LIGHT.raised, LIGHT.canvas) > 0.5
-        assert len(colors(still)) > 20  # agents, boxes, words: not an empty page
+        seen: list[QImage] = []
+
+        def is_there() -> bool:
+            seen.append(screen.picture())
+            return is_whole(seen[-1])
+
+        screen.wait_for(is_there)
         # The window takes the keys once it was clicked.
         screen.do("mousemove", "720", "300", "click", "1")
         screen.wait_for(lambda: "Understudy" in screen.do("getwindowfocus", "getwindowname"))
         screen.do("key", "space")
-        screen.wait_for(lambda: _differs(still, screen.picture()))
+        screen.wait_for(lambda: _differs(seen[-1], screen.picture()))
         screen.do("key", "ctrl+k")
         screen.do("type", "--delay", "30", "quit")
         screen.do("key", "Return")
@@ -142,6 +145,12 @@ def test_run_opens_the_studio_on_the_foraging_project_and_it_answers_keys_and_cl
         studio.stderr.close()
         studio.wait()
     assert "Traceback" not in said
+
+
+def is_whole(picture: QImage) -> bool:
+    """Whether the world and all around it is painted: agents, boxes, words; not an empty page."""
+    ours = share(picture, LIGHT.background, LIGHT.panel, LIGHT.raised, LIGHT.canvas)
+    return share(picture, LIGHT.canvas) > 0.05 and ours > 0.5 and len(colors(picture)) > 20
 
 
 def _differs(one: QImage, other: QImage) -> bool:
