@@ -1,4 +1,4 @@
-"""What the mouse does on the canvas, as small state machines: press, move, release and cancel each give the next state.
+"""What the hand does on the canvas, as small state machines: press, move, release and cancel each give the next state.
 
 They know nothing of Qt and nothing of worlds: whatever they want done they ask of a `Stage`.
 """
@@ -259,3 +259,20 @@ class Dragging(Gesture):
         """The entity is where it was; the button may go up at any time."""
         stage.drop_preview()
         return Refused()
+
+
+@dataclass(frozen=True, slots=True)
+class Carrying(Gesture):
+    """An entity is held by keys, which move it and put it down; the mouse lets go of it."""
+
+    entity: int
+    cancelable = True
+
+    def press(self, stage: Stage, button: Button, at: Pointer) -> Gesture:
+        """Whoever takes the mouse does something else."""
+        return self.cancel(stage).press(stage, button, at)
+
+    def cancel(self, stage: Stage) -> Gesture:
+        """The entity is where it was."""
+        stage.drop_preview()
+        return Resting()

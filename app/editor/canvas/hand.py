@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from ...engine.commands import MoveEntity
 from ...engine.snapshots import Snapshot
 from .frame import Frame, Preview
-from .gestures import Button, Choosing, Gesture, Pointer, Resting
+from .gestures import Button, Carrying, Choosing, Gesture, Pointer, Resting
 from .hits import agents_in, controller_at, entity_at
 
 if TYPE_CHECKING:
@@ -84,6 +84,41 @@ class Hand(QObject):
     def cancel(self) -> None:
         """Escape."""
         self._go(self.gesture.cancel(self))
+
+    # ----------------------------------------------------------------------------------------- the keys
+
+    @property
+    def carried(self) -> int:
+        """The entity that is held by keys, -1 if none is."""
+        return self.gesture.entity if isinstance(self.gesture, Carrying) else -1
+
+    def carry(self, entity: int, dx: float = 0.0, dy: float = 0.0) -> None:
+        """Hold an entity so many pixels from where it is shown; the world hears of it when it is put down."""
+        frame, why = self._frame(), self.cannot_drag()
+        if frame is None or self.choice is not None:
+            return
+        if why:
+            self.say(why)
+            return
+        if entity != self.carried:
+            self.cancel()
+            frame = self._frame() or frame
+        x, y = frame.places()
+        self.preview(entity, Pointer(float(x[entity]) + dx, float(y[entity]) + dy))
+        self._go(Carrying(entity))
+
+    def put_down(self) -> None:
+        """Leave what is held by keys where it is shown."""
+        preview, why = self.dragged, self.cannot_drag()
+        if self.carried < 0 or preview is None:
+            return
+        if why:
+            self.say(why)
+            return
+        self._move(preview)
+        self._go(Resting())
+
+    # ------------------------------------------------------------------------------------ other worlds
 
     def let_go(self) -> None:
         """The world is another one: nothing of it can be held any more."""
@@ -203,9 +238,12 @@ class Hand(QObject):
 
     def put(self, entity: int, at: Pointer) -> None:
         """Put the entity there for good; until the world has it there, it is shown there."""
-        x, y = self._looking.camera.to_world(at.x, at.y)
-        self.dragged = Preview(entity, x, y)
-        self._ticket = self._studio.bridge.send(MoveEntity(entity, x, y))
+        self.preview(entity, at)
+        if self.dragged is not None:
+            self._move(self.dragged)
+
+    def _move(self, to: Preview) -> None:
+        self._ticket = self._studio.bridge.send(MoveEntity(to.entity, to.x, to.y))
 
     def drop_preview(self) -> None:
         """Show the entity where it is."""

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
+from ...sim.columns import AGENT
 from .frame import Frame
 from .gestures import Button, Dragging, Panning, Pointer, Resting
 from .hand import Hand
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 #: Pixels that an arrow key moves the world.
 NUDGE = 60.0
+#: What part of that an arrow key with Ctrl moves something that is held.
+STEP = 0.1
+NOTHING_HELD = "select an agent, or take a thing by Ctrl and Page Down: then Ctrl and the arrow keys move it"
 #: Eighths of a degree that the wheel has to turn to double the scale.
 DOUBLES = 360.0
 _BUTTONS = {
@@ -227,8 +231,13 @@ class Surface(QWidget):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows move the view, Page Up and Down go through the agents, Space held lets any drag move the view."""
+        """Arrows move the view, Page Up and Down go through the agents, Space held lets any drag move the view.
+
+        With Ctrl, arrows move what is held, or the selected agent, and Page Up and Down take other things; Enter puts it down.
+        """
         key = event.key()
+        if event.modifiers() == Qt.KeyboardModifier.ControlModifier and self._carries(Qt.Key(key)):
+            return
         if key == Qt.Key.Key_Space and not event.modifiers():
             if not event.isAutoRepeat() and self._space is None:
                 self._space = False
@@ -237,6 +246,8 @@ class Surface(QWidget):
             self.looking.pan(*_ARROWS[Qt.Key(key)])
         elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
             self._step_through(1 if key == Qt.Key.Key_PageDown else -1)
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.hand.carried >= 0:
+            self.hand.put_down()
         elif key == Qt.Key.Key_A and event.modifiers() == Qt.KeyboardModifier.ControlModifier:
             self._select_all()
         else:
@@ -256,6 +267,38 @@ class Surface(QWidget):
         """Whatever key was held is not known any more."""
         self._space = None
         super().focusOutEvent(event)
+
+    def _carries(self, key: Qt.Key) -> bool:
+        """Take or move an entity, if a key together with Ctrl does that; whether it does."""
+        if key in _ARROWS:
+            dx, dy = _ARROWS[key]
+            entity = self.hand.carried if self.hand.carried >= 0 else self._selected_agent()
+            if entity < 0:
+                self.hand.say(NOTHING_HELD)
+            else:
+                self.hand.carry(entity, -dx * STEP, -dy * STEP)
+        elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
+            self._take(1 if key == Qt.Key.Key_PageDown else -1)
+        else:
+            return False
+        return True
+
+    def _selected_agent(self) -> int:
+        snapshot, node = self._studio.snapshot, self._studio.selection.node
+        agents = () if snapshot is None else snapshot.place.agents
+        return agents.index(node) if node in agents else -1
+
+    def _take(self, way: int) -> None:
+        """Hold the thing after or before the one that is held; agents are selected instead."""
+        snapshot = self._studio.snapshot
+        if snapshot is None:
+            return
+        spans = snapshot.place.spans
+        things = [entity for kind, span in spans.items() if kind != AGENT for entity in span]
+        if things:
+            held = self.hand.carried
+            at = things.index(held) + way if held in things else (0 if way > 0 else -1)
+            self.hand.carry(things[at % len(things)])
 
     def _select_all(self) -> None:
         snapshot = self._studio.snapshot

@@ -358,12 +358,21 @@ class WorldCanvas(Surface):
         self.hovering.nothing()
 
     def _hand_changed(self) -> None:
-        choice = self.hand.choice
-        words = "" if choice is None else choice.prompt[:1].upper() + choice.prompt[1:]
-        self.on_top.say(self.on_top.prompt, words, "Cancel (Esc)", self.hand.cancel)
+        words = self._asks_for()
+        self.on_top.say(self.on_top.prompt, words[:1].upper() + words[1:], "Cancel (Esc)", self.hand.cancel)
         self.heed_escape()
         self._set_cursor()
         self.touch()
+
+    def _asks_for(self) -> str:
+        """What the hand waits for; empty if for nothing."""
+        choice, carried, snapshot = self.hand.choice, self.hand.carried, self._studio.snapshot
+        if choice is not None:
+            return choice.prompt
+        if carried < 0 or snapshot is None:
+            return ""
+        called = snapshot.place.entity_called(carried)
+        return f"Ctrl and arrow keys move {called}, Enter puts it down"
 
     def sizeHint(self) -> QSize:
         """As in the middle of the window."""

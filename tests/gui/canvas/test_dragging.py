@@ -9,6 +9,7 @@ from app.engine.commands import Pause, Play
 from tests.gui.canvas.pilot import Pilot
 
 BOX = 50
+CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.mark.parametrize("kind", ["agent", "box"])
@@ -59,3 +60,62 @@ def test_a_world_that_begins_anew_in_the_middle_of_a_drag_ends_it(pilot: Pilot) 
     assert pilot.canvas.hand.dragged is None
     pilot.up(pilot.nowhere())
     assert not pilot.studio.document.history.can_undo
+
+
+# --------------------------------------------------------------------------------------------------- by keys
+
+
+@pytest.mark.parametrize("kind", ["agent", "box"])
+def test_keys_alone_move_what_is_selected_or_taken_and_one_undo_takes_it_back(
+    pilot: Pilot, kind: str
+) -> None:
+    entity = pilot.alone() if kind == "agent" else BOX
+    if kind == "agent":
+        pilot.studio.selection.select_nodes([pilot.snapshot.place.agents[entity]])
+    else:
+        pilot.key(Qt.Key.Key_PageDown, CONTROL)
+    start = pilot.at(entity)
+    before = float(pilot.snapshot.columns["x"][entity])
+    for _ in range(4):
+        pilot.key(Qt.Key.Key_Right, CONTROL)
+    pilot.key(Qt.Key.Key_Up, CONTROL)
+    assert pilot.at(entity) == start + QPoint(24, -6)
+    assert pilot.snapshot.columns["x"][entity] == before
+    assert (
+        f"move {pilot.snapshot.place.entity_called(entity)}, Enter" in pilot.canvas.on_top.prompt.words.text()
+    )
+    pilot.key(Qt.Key.Key_Return)
+    pilot.wait(lambda: pilot.snapshot.columns["x"][entity] > before and pilot.canvas.hand.dragged is None)
+    assert not pilot.canvas.on_top.prompt.isVisible()
+    pilot.wait(lambda: pilot.studio.document.history.can_undo)
+    pilot.key(Qt.Key.Key_Z, CONTROL)
+    pilot.wait(lambda: pilot.snapshot.columns["x"][entity] == pytest.approx(before))
+    assert not pilot.studio.document.history.can_undo
+
+
+def test_page_keys_with_ctrl_go_through_all_that_is_no_agent_and_escape_leaves_it(pilot: Pilot) -> None:
+    for key, entity in ((Qt.Key.Key_PageDown, BOX), (Qt.Key.Key_PageDown, BOX + 1), (Qt.Key.Key_PageUp, BOX)):
+        pilot.key(key, CONTROL)
+        assert pilot.canvas.hand.carried == entity
+    start = pilot.at(BOX)
+    pilot.key(Qt.Key.Key_Down, CONTROL)
+    pilot.key(Qt.Key.Key_Escape)
+    assert (pilot.canvas.hand.carried, pilot.at(BOX)) == (-1, start)
+    assert not pilot.studio.document.history.can_undo
+
+
+def test_a_press_of_the_mouse_lets_go_of_what_keys_hold(pilot: Pilot) -> None:
+    pilot.key(Qt.Key.Key_PageDown, CONTROL)
+    pilot.click(pilot.nowhere())
+    assert pilot.canvas.hand.carried == -1
+    assert pilot.canvas.hand.dragged is None
+
+
+def test_keys_say_why_nothing_is_moved(pilot: Pilot) -> None:
+    pilot.studio.selection.select_nodes(())
+    pilot.key(Qt.Key.Key_Right, CONTROL)
+    assert [text for text in pilot.said if text.startswith("select an agent, or take a thing")]
+    pilot.send(Play(0.25))
+    pilot.key(Qt.Key.Key_PageDown, CONTROL)
+    assert [text for text in pilot.said if "pause before you move something" in text]
+    pilot.send(Pause())
