@@ -10,6 +10,7 @@ from ...core.automaton import RaiseFlag
 from ...core.project import Position
 from ..letters import plain
 from . import offers
+from .finding import let_find
 
 if TYPE_CHECKING:
     from .panel import GraphPanel
@@ -83,7 +84,9 @@ def add_menu(panel: GraphPanel, at: Position | None = None) -> QMenu:
             menu.addAction(plain(shown)).triggered.connect(
                 lambda _checked, content=content: panel.add_state(content, at)
             )
-    menu.addAction("⚑ another flag…").triggered.connect(lambda _checked: _ask_flag(panel, at))
+    another = menu.addAction("⚑ another flag…")
+    another.triggered.connect(lambda _checked: _ask_flag(panel, at))
+    let_find(menu, "Find what the state is to hold", another)
     return menu
 
 

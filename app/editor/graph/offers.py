@@ -24,6 +24,7 @@ from ...core.features import (
     describe,
 )
 from ...core.library import Library, known_flags
+from ...core.naming import natural
 from ...core.telling import declared
 from ...core.vocabulary import FINISHED, Feature, FeatureKind, Vocabulary
 
@@ -41,7 +42,7 @@ def called(name: str, parameters: tuple[str, ...]) -> str:
 def automata(scope: Scope, automaton_id: str) -> list[Choice]:
     """The automata that a state of an automaton can hold: those that do not hold it."""
     above = scope.library.all_users(automaton_id) | {automaton_id}
-    there = sorted(scope.library.automata.values(), key=lambda other: other.name.casefold())
+    there = sorted(scope.library.automata.values(), key=lambda other: natural(other.name))
     return [
         (called(other.name, other.parameters), Nested(other.id)) for other in there if other.id not in above
     ]

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ...core.amounts import counted
 from ..theme import CAPTION, chosen_ground, hovered_ground, text_font
 from .fits import Fit
 from .model import FIT, ROW
@@ -77,8 +78,8 @@ def badges(row: Row, fit: Fit | None) -> Iterator[Badge]:
 def counts(row: Row) -> Iterator[Badge]:
     """The number of examples, at the right."""
     if row.examples or row.disabled:
-        many = "example" if row.examples == 1 else "examples"
-        yield Badge(str(row.examples), f"{row.examples} {many}, {row.disabled} disabled", boxed=False)
+        many = counted(row.examples, "example")
+        yield Badge(f"{row.examples:,}", f"{many}, {row.disabled:,} disabled", boxed=False)
 
 
 def links(row: Row) -> Iterator[Badge]:

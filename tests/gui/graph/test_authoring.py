@@ -1,8 +1,10 @@
 """Automata are made on the graph by mouse and keys: states, transitions, guards, order, copies."""
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QLineEdit
 
 from app.core.automaton import START, Basic, Nested, RaiseFlag
+from app.core.edits import add_automaton
 from app.core.features import Ground, Parameter
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
@@ -52,6 +54,30 @@ def test_the_menu_offers_only_what_a_state_can_hold(author: Author) -> None:
     assert {"Goto(X)", "Wander", "Forward", "⚑ done", "⚑ failed"} <= set(offered)
     assert not {"Forage", "ReturnWithBox"} & set(offered)
     menu.close()
+
+
+def test_a_long_menu_of_states_is_searched_by_typing(
+    blank: BehaviorKey, author: Author, studio: Studio
+) -> None:
+    for number in range(30):
+        studio.document.do(add_automaton, blank.type, f"Behavior {number}")
+    author.settle()
+    author.trigger("graph.add_state")
+    menu = author.panel.menu
+    assert menu is not None
+    offered = [action.text() for action in menu.actions() if action.text().startswith("Behavior")]
+    assert offered[1:3] == ["Behavior 1", "Behavior 2"]
+    assert menu.width() < menu.sizeHint().height()  # one column, which scrolls
+    field = menu.findChild(QLineEdit)
+    assert isinstance(field, QLineEdit)
+    author.qtbot.waitUntil(lambda: menu.focusWidget() is field)
+    author.qtbot.keyClicks(field, "behavior 2")
+    left = [action.text() for action in menu.actions() if action.isVisible() and action.text()]
+    assert left == ["Behavior 2", *(f"Behavior 2{n}" for n in range(10)), "⚑ another flag…"]
+    author.qtbot.keyClick(field, Qt.Key.Key_Down)
+    author.qtbot.keyClick(field, Qt.Key.Key_Return)
+    author.settle()
+    assert [state.content for state in automaton(author).states[1:]] == [Nested("behavior-20")]
 
 
 def test_a_slot_that_is_open_is_asked_for_and_bound(blank: BehaviorKey, author: Author) -> None:
