@@ -62,7 +62,7 @@ class Frame:
         lit: Places among the entries of the coloring, or -1 for all that are attached; the others fade. None lights all.
         hovered: The entity under the mouse, or -1.
         band: A rectangle being pulled open: left, top, right, bottom, pixels.
-        targets: Entities that can be chosen, if that is going on.
+        targets: Entities that can be chosen, if that is going on, or the one that keys hold.
         ratio: Pixels of the screen to one of the view.
     """
 

@@ -156,6 +156,10 @@ class Hand(QObject):
         """The entities that are marked as what can be chosen; an agent that stands upon one does not hide it."""
         return frozenset() if self.choice is None else self.choice.targets()
 
+    def marked(self) -> frozenset[int]:
+        """The entities around which there is a mark: those that can be chosen, or the one that keys hold."""
+        return frozenset({self.carried}) if self.carried >= 0 else self.sought()
+
     def cannot_drag(self) -> str:
         """Why nothing can be dragged now; empty if it can."""
         snapshot = self._studio.snapshot

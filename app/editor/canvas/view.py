@@ -111,7 +111,7 @@ class WorldCanvas(Surface):
             self.hovering.entity,
             hand.dragged if self.is_live else None,
             hand.band,
-            None if hand.choice is None else hand.choice.targets(),
+            hand.marked(),
             self.devicePixelRatioF(),
         )
 

@@ -97,6 +97,9 @@ def test_page_keys_with_ctrl_go_through_all_that_is_no_agent_and_escape_leaves_i
     for key, entity in ((Qt.Key.Key_PageDown, BOX), (Qt.Key.Key_PageDown, BOX + 1), (Qt.Key.Key_PageUp, BOX)):
         pilot.key(key, CONTROL)
         assert pilot.canvas.hand.carried == entity
+        frame = pilot.canvas.frame()
+        assert frame is not None
+        assert frame.targets == {entity}
     start = pilot.at(BOX)
     pilot.key(Qt.Key.Key_Down, CONTROL)
     pilot.key(Qt.Key.Key_Escape)
