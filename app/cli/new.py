@@ -38,7 +38,9 @@ def make_project(folder: Path, scenario_name: str, *, as_json: bool) -> int:
     if as_json:
         show_json(document(project, folder))
     else:
-        show(f"{folder}: {AGENTS} agents in the scenario {scenario.title!r}, which all do {project.arms[0].top}")
+        show(
+            f"{folder}: {AGENTS} agents in the scenario {scenario.title!r}, which all do {project.arms[0].top}"
+        )
         trust = "" if code is None else " --trust"
         show(f"next: {PROGRAM} run {folder}{trust}")
     return DONE
@@ -63,10 +65,10 @@ def refuse_incomplete(folder: Path | None, scenario_name: str | None) -> tuple[P
         ParameterError: The folder or the scenario was not named.
     """
     if folder is None:
-        raise ParameterError(f"{PROGRAM} new: name the folder, DIR, that the project is to be in")
+        raise ParameterError("name the folder, DIR, that the project is to be in")
     if scenario_name is None:
         raise ParameterError(
-            f"{PROGRAM} new: name the world that its agents live in: --scenario {' or '.join(names())}, or a FILE.py of "
+            f"name the world that its agents live in: --scenario {' or '.join(names())}, or a FILE.py of "
             "your own"
         )
     return folder, scenario_name

@@ -85,7 +85,7 @@ def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) 
         ),
         (["train", "not-there"], "not-there: there is no such folder"),
         (["demonstrate", "not-there"], "not-there: there is no such folder"),
-        (["new", "somewhere"], "new: name the world that its agents live in: --scenario foraging"),
+        (["new", "somewhere"], "understudy: name the world that its agents live in: --scenario foraging"),
         (["new", "somewhere", "--scenario", "foragin"], "did you mean 'foraging'?"),
         (["--foo"], "No such option: --foo"),
     ],
