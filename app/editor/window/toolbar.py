@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -21,13 +22,16 @@ from PySide6.QtWidgets import (
 from ...engine.commands import Reset
 from ...engine.snapshots import Mode
 from ..icons import icon
-from .rows import MOST_SEED, SPEEDS, Speed, is_playing, speed_words
+from ..letters import plain
+from .rows import MOST_SEED, SPEEDS, Speed, is_playing, speed_words, undo_words
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
 #: The field of the seed has room for at least and at most so many digits; longer seeds are scrolled in.
 SEED_DIGITS = (5, 10)
+#: Pixels of the buttons for reset and undo where there is room to say what they do.
+RESET_WORDS, UNDO_WORDS = 80, 170
 #: Pixels of the list of arms, at least; where there is no room for it, it is in what the tool bar opens at its end.
 NARROWEST_ARM = 120
 
@@ -110,9 +114,10 @@ class Toolbar(QToolBar):
         self._add_speed()
         self.addSeparator()
         self._add_seed()
-        self._add("run.reset")
+        self.reset = self._add("run.reset")
         self.addSeparator()
-        self._add("edit.undo")
+        self.undo = self._add("edit.undo")
+        self._button_width = self.undo.sizeHint().width()  # without words
         self._add("edit.redo")
         self.spacer = QWidget()
         self.spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -123,8 +128,35 @@ class Toolbar(QToolBar):
         studio.opened.connect(self._refresh)
         studio.theme.changed.connect(self._dress)
         studio.bridge.mode_changed.connect(self._dress)
+        studio.document.history_changed.connect(self._say_what_undo_undoes)
+        self.seed.textChanged.connect(self._fit_words)
         self._dress()
         self._refresh()
+        self._say_what_undo_undoes()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is room, reset and undo say what they do; nothing else has to go for it."""
+        super().resizeEvent(event)
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        more = RESET_WORDS + UNDO_WORDS - 2 * self._button_width
+        has_words = self.undo.toolButtonStyle() is Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+        needed = self.sizeHint().width() + (0 if has_words else more)
+        if (self.width() >= needed) is not has_words:
+            self._show_words(shown=not has_words)
+
+    def _show_words(self, *, shown: bool) -> None:
+        style = Qt.ToolButtonStyle
+        for button, width in ((self.reset, RESET_WORDS), (self.undo, UNDO_WORDS)):
+            button.setFixedWidth(width if shown else self._button_width)
+            button.setToolButtonStyle(style.ToolButtonTextBesideIcon if shown else style.ToolButtonIconOnly)
+
+    def _say_what_undo_undoes(self) -> None:
+        action = self._studio.actions["edit.undo"]
+        text = undo_words(self._studio)
+        room = UNDO_WORDS - self.iconSize().width() - 34
+        action.setIconText(plain(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room)))
 
     def _add(self, action: str) -> QToolButton:
         button = QToolButton()

@@ -226,6 +226,32 @@ def test_what_a_lesson_took_of_the_window_goes_back_after_it(
     qtbot.waitUntil(lambda: examples.height() >= before - 20, timeout=PATIENCE)
 
 
+def test_where_there_is_room_the_tool_bar_says_what_undo_would_undo(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    undo, arm = window.toolbar.undo, window.toolbar.arm
+
+    def has_words() -> bool:
+        return undo.toolButtonStyle() is Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+
+    studio.document.do(note_project, "a note")
+    window.resize(1900, 1000)
+    qtbot.waitUntil(has_words)
+    assert said(undo.defaultAction()).startswith("Undo: ")
+    assert undo.text().startswith("Undo: ")
+    assert arm.isVisible()
+    studio.actions["edit.undo"].trigger()
+    assert undo.text() == "Undo"
+    just_enough = window.toolbar.sizeHint().width()
+    window.resize(just_enough, 1000)
+    qtbot.waitUntil(lambda: window.toolbar.width() == just_enough and has_words())
+    window.toolbar.seed.setText("1234567890")
+    assert not has_words(), "a longer seed needs the room"
+    assert arm.isVisible()
+    window.resize(1280, 800)
+    qtbot.waitUntil(lambda: not has_words() and arm.isVisible())
+
+
 def test_a_layout_from_before_there_was_some_panel_is_not_taken_up(
     qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
 ) -> None:
