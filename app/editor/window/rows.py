@@ -229,7 +229,7 @@ def edit_rows() -> tuple[ActionRow, ...]:
     )
 
 
-def _theme_row(mode: ThemeMode, text: str) -> ActionRow:
+def _theme_row(mode: ThemeMode, text: str, tip: str) -> ActionRow:
     def use(studio: Studio) -> None:
         studio.settings.theme = mode
 
@@ -239,7 +239,7 @@ def _theme_row(mode: ThemeMode, text: str) -> ActionRow:
         "View",
         use,
         "theme",
-        tip=f"{text} colors" if mode is not ThemeMode.SYSTEM else "Colors as the system has them",
+        tip=tip,
         checked=lambda studio: studio.settings.theme is mode,
     )
 
@@ -247,9 +247,9 @@ def _theme_row(mode: ThemeMode, text: str) -> ActionRow:
 def view_rows() -> tuple[ActionRow, ...]:
     """Looks."""
     return (
-        _theme_row(ThemeMode.LIGHT, "Light"),
-        _theme_row(ThemeMode.DARK, "Dark"),
-        _theme_row(ThemeMode.SYSTEM, "As the system"),
+        _theme_row(ThemeMode.LIGHT, "Light theme", "Light colors"),
+        _theme_row(ThemeMode.DARK, "Dark theme", "Dark colors"),
+        _theme_row(ThemeMode.SYSTEM, "Theme as the system", "Colors as the system has them"),
         ActionRow(
             "view.copy_tick",
             "Copy tick and seed",

@@ -108,7 +108,7 @@ def test_the_tool_bar_is_there_again_when_another_project_is_opened_after_one_wa
 def test_colors_are_chosen_in_the_menu_view(window: MainWindow, studio: Studio, qtbot: QtBot) -> None:
     menu = next(action.menu() for action in window.menuBar().actions() if said(action) == "View")
     assert isinstance(menu, QMenu)
-    for text, mode in (("Dark", ThemeMode.DARK), ("Light", ThemeMode.LIGHT)):
+    for text, mode in (("Dark theme", ThemeMode.DARK), ("Light theme", ThemeMode.LIGHT)):
         menu.popup(window.mapToGlobal(window.rect().topLeft()))
         entry = next(action for action in menu.actions() if said(action) == text)
         qtbot.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
