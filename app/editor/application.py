@@ -156,8 +156,11 @@ def _bare_window(application: QApplication, settings: Settings, *, at_once: bool
 
 
 def _import_later_things() -> None:
-    """In a thread, so that the window is not held up now, nor when a panel is looked at first."""
-    Thread(target=_import_all, args=(LATER,), name="ahead", daemon=True).start()
+    """In a thread, so that the window is not held up now, nor when a panel is looked at first.
+
+    The program waits for its end: a thread that is cut off in the middle of Qt's code ends a program badly.
+    """
+    Thread(target=_import_all, args=(LATER,), name="ahead").start()
 
 
 def _import_all(modules: Sequence[str]) -> None:
