@@ -346,7 +346,9 @@ class WorldCanvas(Surface):
         super().showEvent(event)
         snapshot = self._studio.snapshot
         if snapshot is not None and self.is_live:
-            self._show(live(snapshot))
+            scene = live(snapshot)
+            self._trails.add(scene)
+            self._show(scene)
         self._count()
 
     def hideEvent(self, event: QHideEvent) -> None:

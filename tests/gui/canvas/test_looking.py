@@ -1,5 +1,6 @@
 """What the menu View shows in the world besides the agents."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QImage
@@ -29,3 +30,12 @@ def test_what_is_switched_on_in_the_menu_is_seen_and_switched_off_it_is_not(pilo
     pilot.choose(name)
     assert not action.isChecked()
     assert world_of(pilot) == without
+
+
+def test_trails_begin_where_the_agents_were_when_the_window_came(pilot: Pilot) -> None:
+    agents = np.arange(pilot.frame.scene.agents)
+    before = pilot.frame.scene.x[agents].astype(np.float32)
+    pilot.send(Step(60))
+    xs, _ = pilot.frame.trails.of(agents)
+    assert xs[0].tolist() == before.tolist()
+    assert xs[-1].tolist() != before.tolist()
