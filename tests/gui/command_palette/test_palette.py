@@ -46,7 +46,7 @@ def test_everything_is_found_by_a_few_letters(palette: Palette, qtbot: QtBot, qu
 
 
 def test_enter_does_an_action(palette: Palette, qtbot: QtBot, studio: Studio) -> None:
-    assert first(palette, qtbot, "dark") == "action: Dark"
+    assert first(palette, qtbot, "dark theme") == "action: Dark theme"
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert studio.settings.theme is ThemeMode.DARK
     assert not palette.isVisible()
