@@ -24,8 +24,8 @@ def test_the_row_that_is_chosen_in_an_open_list_can_be_read(
     qtbot.addWidget(box)
     box.addItems(["alpha", "beta", "gamma"])
     box.setCurrentIndex(1)
-    box.show()
-    qtbot.waitExposed(box)
+    with qtbot.waitExposed(box):
+        box.show()
     QTest.keyClick(box, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
     view = box.view()
     qtbot.waitUntil(view.isVisible, timeout=PATIENCE)
