@@ -12,10 +12,12 @@ from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QComboBox,
+    QLineEdit,
     QRadioButton,
     QTabBar,
     QWidget,
 )
+from shiboken6 import isValid
 
 from ..soon import catch_up
 
@@ -28,6 +30,14 @@ MOVES = (
 )
 _MOVED = (QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox, QTabBar)
 _SWITCHED = (QCheckBox, QRadioButton)
+_COMMANDING = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+_BY_THEMSELVES = (
+    Qt.Key.Key_Control,
+    Qt.Key.Key_Shift,
+    Qt.Key.Key_Alt,
+    Qt.Key.Key_AltGr,
+    Qt.Key.Key_Meta,
+)
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
@@ -35,8 +45,9 @@ class OwnKeys(QObject):
     """Lets lists, boxes and sliders have the keys that move through them; the space bar switches, Enter presses buttons.
 
     Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them. Before
-    that it does what it has put off, so that the key finds things, and what is possible, as they are by now. Buttons are
-    pressed by Enter, since time goes on and stops by the space bar wherever one is.
+    that it takes what was typed as finished if the key is a command, and does what it has put off, so that the key finds
+    things, and what is possible, as they are by now. Buttons are pressed by Enter, since time goes on and stops by the
+    space bar wherever one is.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -51,11 +62,29 @@ class OwnKeys(QObject):
             return _presses(event, QApplication.focusWidget())
         if event.type() is not QEvent.Type.ShortcutOverride:
             return False
+        if _commands(event):
+            finish_typing()
         catch_up()
         if belongs(event, QApplication.focusWidget()):
             event.accept()
             return True
         return False
+
+
+def finish_typing() -> None:
+    """Have what is being typed into a field counted: otherwise it is once the keys leave the field."""
+    field = QApplication.focusWidget()
+    line = field.lineEdit() if isinstance(field, QAbstractSpinBox) else field
+    if field is None or not isinstance(line, QLineEdit) or not line.isModified():
+        return
+    field.clearFocus()
+    if isValid(field) and field.isVisible():
+        field.setFocus(Qt.FocusReason.OtherFocusReason)
+
+
+def _commands(event: QKeyEvent) -> bool:
+    """Whether a key that the focus did not want for itself is one of those with which commands are given."""
+    return bool(event.modifiers() & _COMMANDING) and event.key() not in _BY_THEMSELVES
 
 
 def _presses(event: QKeyEvent, focus: QWidget | None) -> bool:

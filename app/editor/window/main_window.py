@@ -27,7 +27,7 @@ from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, has_keys, place_docks, share_places, size_docks
 from .help_rows import help_rows
-from .keys import OwnKeys
+from .keys import OwnKeys, finish_typing
 from .menu_bar import fill_menu_bar, letter_menus, menu_bar_rows
 from .messages import MessageBar
 from .panel_rows import panel_rows
@@ -334,6 +334,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Close once nothing can be lost by it."""
+        finish_typing()
         if not self._may_close:
             event.ignore()
             self.files.may_close(self._close)
