@@ -1,14 +1,13 @@
 """``understudy new``: a project to begin with."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Project
 from ..core.storage import save
-from ..engine.fresh import AGENTS, fresh_project, refuse_folder
-from ..engine.scenarios import OWN_CODE, scenario_at
+from ..engine.fresh import AGENTS, fresh_project, refuse_folder, save_with_code
+from ..engine.scenarios import scenario_at
 from ..sim.scenarios import names, shipped
 from .console import PROGRAM, show, show_json, show_table
 from .exits import DONE
@@ -31,10 +30,7 @@ def make_project(folder: Path, scenario_name: str, *, as_json: bool) -> int:
     if code is None:
         save(project, folder)
     else:
-        text = code.read_bytes()  # before anything is made
-        project = replace(project, scenario=OWN_CODE)
-        save(project, folder)
-        (folder / OWN_CODE).write_bytes(text)
+        project = save_with_code(project, code, folder)
     if as_json:
         show_json(document(project, folder))
     else:

@@ -1,12 +1,15 @@
 """Projects to begin with: agents in a scenario, and no behaviors of their own yet."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from ..core.errors import EditError, ScenarioError, StorageError
 from ..core.library import NodeType
 from ..core.project import Arm, LevelTable, Project
+from ..core.storage import save
 from ..core.vocabulary import Vocabulary
 from ..sim.scenario import Scenario
+from .scenarios import OWN_CODE
 
 #: As many as in the paper.
 AGENTS = 50
@@ -25,15 +28,33 @@ def fresh_project(name: str, scenario: Scenario, agents: int = AGENTS, groups: i
     Raises:
         EditError: There would be no agents, or too many.
     """
-    total = agents * max(groups, 1)
-    if agents < 1 or groups < 0 or total > MOST_AGENTS:
-        raise EditError(f"an arm has 1 to {MOST_AGENTS:,} agents, but this one would have {max(total, 0):,}")
+    refuse_numbers(agents, groups)
     top = first_behavior(scenario.vocabulary)
     if not groups:
         arm = Arm("independent", LevelTable((agents,), (AGENT,)), top)
         return Project(name, scenario.name, (NodeType(AGENT),), arms=(arm,))
     arm = Arm("groups", LevelTable((groups, agents), (GROUP, AGENT)), top)
     return Project(name, scenario.name, (NodeType(AGENT), NodeType(GROUP, 1, (AGENT,))), arms=(arm,))
+
+
+def refuse_numbers(agents: int, groups: int) -> None:
+    """Raise an `EditError` if there would be no agents, or too many."""
+    total = agents * max(groups, 1)
+    if agents < 1 or groups < 0 or total > MOST_AGENTS:
+        raise EditError(f"an arm has 1 to {MOST_AGENTS:,} agents, but this one would have {max(total, 0):,}")
+
+
+def save_with_code(project: Project, code: Path, folder: Path) -> Project:
+    """Save a new *project* that lives in the world of a file of the user's own, which it brings along; returns it so.
+
+    Raises:
+        FilesError, OSError: It cannot be written.
+    """
+    text = code.read_bytes()  # before anything is made
+    own = replace(project, scenario=OWN_CODE)
+    save(own, folder)
+    (folder / OWN_CODE).write_bytes(text)
+    return own
 
 
 def first_behavior(vocabulary: Vocabulary) -> str:

@@ -14,7 +14,6 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from ...core.edits import rename_project
 from ...core.errors import UnderstudyError
 from ...core.project import Project
-from ...core.storage import save
 from ...engine.scenarios import open_scenario
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
@@ -216,13 +215,10 @@ class Files(QObject):
         dialog.open()
 
     def _make(self, order: Order) -> None:
-        def made() -> None:
-            save(order.project(), order.folder)
-
         self.studio.settings.projects_folder = order.folder.parent
-
         self.waiting.emit(f"Making {order.folder.name}…")
-        self.background.do(made, lambda _: self.opening.open(Wish(order.folder)), self._refused)
+        wish = Wish(order.folder, trust=order.brings_code)
+        self.background.do(order.make, lambda _: self.opening.open(wish), self._refused)
 
     # --------------------------------------------------------------------------------------------- saving
 

@@ -10,31 +10,54 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QLabel, QLineEdit, QSpinBox, QWidget
 
 from ...core.errors import UnderstudyError
-from ...core.project import Project
-from ...engine.fresh import AGENTS, MOST_AGENTS, fresh_project
+from ...core.storage import save
+from ...engine.fresh import AGENTS, MOST_AGENTS, fresh_project, refuse_numbers, save_with_code
+from ...engine.scenarios import scenario_at
 from ...sim.scenarios import names, shipped
 from ..number_box import roomy
+from .choosing import choose_existing
 from .forms import Form, PlaceEdit, folder_problem, usable_name
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
 MOST_GROUPS, GROUP_SIZE = 1000, 5
+#: What asks for a file.
+OWN = "From a file of my own…"
 
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """A project to be made."""
+    """A project to be made.
+
+    Attributes:
+        scenario: A shipped one, or a file of the user's own that declares one.
+    """
 
     name: str
-    scenario: str
+    scenario: str | Path
     folder: Path
     agents: int
     groups: int
 
-    def project(self) -> Project:
-        """The project."""
-        return fresh_project(self.name, shipped(self.scenario), self.agents, self.groups)
+    @property
+    def brings_code(self) -> bool:
+        """Whether the user's own file is run to make it."""
+        return isinstance(self.scenario, Path)
+
+    def make(self) -> None:
+        """Make the project in its folder.
+
+        Raises:
+            UnderstudyError: That cannot be done; the file fails, for instance.
+        """
+        own = self.scenario if isinstance(self.scenario, Path) else None
+        scenario = shipped(str(self.scenario)) if own is None else scenario_at(own)
+        project = fresh_project(self.name, scenario, self.agents, self.groups)
+        if own is None:
+            save(project, self.folder)
+        else:
+            save_with_code(project, own, self.folder)
 
 
 class NewProject(QDialog):
@@ -53,6 +76,8 @@ class NewProject(QDialog):
         self.scenario = QComboBox()
         for name in names():
             self.scenario.addItem(shipped(name).title, name)
+        self.scenario.addItem(OWN, None)
+        self._last = 0  # which scenario was chosen last
         self.about = QLabel()
         self.name = QLineEdit("My project")
         self.place = PlaceEdit(studio.settings.projects_folder, usable_name(self.name.text()))
@@ -68,6 +93,7 @@ class NewProject(QDialog):
             signal.connect(self._check)
         self.place.changed.connect(self._check)
         self.scenario.currentIndexChanged.connect(self._check)
+        self.scenario.activated.connect(self._scenario_chosen)
         self.name.textEdited.connect(lambda text: self.place.suggest(usable_name(text)))
         self.accepted.connect(lambda: self.ordered.emit(self.order))
         self._check()
@@ -109,13 +135,35 @@ class NewProject(QDialog):
         if not self.name.text().strip():
             return "the project needs a name"
         try:
-            self.order.project()
+            refuse_numbers(self.agents.value(), self.groups.value())
         except UnderstudyError as error:
             return str(error)
         return folder_problem(self.place.folder)
 
+    def _scenario_chosen(self, at: int) -> None:
+        """A file of the user's own is asked for; who gives none stays with what was chosen before."""
+        if self.scenario.itemText(at) != OWN:
+            self._last = at
+            return
+        self.scenario.setCurrentIndex(self._last)
+        choose_existing(
+            self, "Choose your scenario's file", self.place.folder.parent, "Python (*.py)", self.take
+        )
+
+    def take(self, code: Path) -> None:
+        """Offer a file of the user's own as the scenario, and choose it."""
+        self._last = self.scenario.count() - 1
+        self.scenario.insertItem(self._last, code.name, code)
+        self.scenario.setCurrentIndex(self._last)
+
     def _check(self) -> None:
-        self.about.setText(shipped(self.scenario.currentData()).doc)
+        chosen = self.scenario.currentData()
+        if isinstance(chosen, Path):
+            self.about.setText(
+                f"Creating the project runs {chosen}, which can do whatever you can do on this machine."
+            )
+        elif chosen is not None:
+            self.about.setText(shipped(chosen).doc)
         if self.groups.value() and not self._grouped and self.agents.value() == AGENTS:
             self.agents.setValue(GROUP_SIZE)  # as in the paper
         self._grouped = bool(self.groups.value())
