@@ -10,6 +10,7 @@ from ..sim.engine import Engine, Start
 from ..sim.engines import AUTO, Notice, make_engine
 from ..sim.scenario import Scenario
 from ..sim.world import FrozenWorld
+from .spells import Spells
 
 #: A run is stalled if it made no progress in this last part of it.
 STALLED_PART = 0.3
@@ -126,14 +127,15 @@ def run(
     """Run one world to the end.
 
     Args:
-        points: Into how many equal slices the curve is cut; between them progress is told and cancelling is heeded.
+        points: Into how many equal slices the curve is cut; between them progress is told.
+        cancelled: Asked several times a second whether to end.
     """
     engine = start_engine(of, seed)
+    spells = Spells(engine, lambda: cancelled is None or not cancelled())
     at, samples = [0], [engine.measures()]
     for goal in slices(ticks, points):
-        if cancelled is not None and cancelled():
+        if not spells.until(goal):
             break
-        engine.step(goal - engine.tick)
         at.append(engine.tick)
         samples.append(engine.measures())
         if progress is not None:

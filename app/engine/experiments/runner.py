@@ -19,14 +19,13 @@ from ...sim.physics import KINEMATIC
 from ...sim.scenario import Scenario
 from ..compiling import compile_ahead
 from ..runs import STALLED_PART, slices, start_engine
+from ..spells import Spells
 from .plan import Cell, Experiment
 from .store import Results, Row
 from .treatments import Ready, Treatments, sorted_settings
 
 #: Seconds between looks at how far the threads are.
 GLANCE = 0.2
-#: A run heeds `Controls` at least once in so many ticks.
-LONGEST_SLICE = 1_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,13 +239,16 @@ class _Crew:
     def _curves(self, engine: Engine, underway: _Underway) -> list[list[float]] | None:
         """Pass all ticks, measuring now and then; None if the run was given up."""
         ticks = self._experiment.ticks
+
+        def going() -> bool:
+            underway.share = engine.tick / ticks
+            return self.controls.heed()
+
+        spells = Spells(engine, going)
         samples = [list(engine.measures().values())]
         for goal in slices(ticks, self._experiment.points):
-            while engine.tick < goal:
-                if not self.controls.heed():
-                    return None
-                engine.step(min(goal - engine.tick, LONGEST_SLICE))
-                underway.share = engine.tick / ticks
+            if not spells.until(goal):
+                return None
             samples.append(list(engine.measures().values()))
         return samples
 
