@@ -25,7 +25,7 @@ from .runs import Treatment, start_engine
 from .scenarios import whereabouts
 
 #: What a session says while it waits for a kernel.
-COMPILING = "compiling the kernel; until then ticks are slower"
+COMPILING = "the engine is compiled, once; until then time passes more slowly"
 #: Seconds between two looks at whether whoever waits for a kernel still wants it.
 GLANCE = 0.1
 _CHILD = f"{__package__}.compile_kernel"
