@@ -51,6 +51,7 @@ def gallery(theme: Theme, qtbot: QtBot, owner: QWidget | None = None) -> QWidget
         for part in parts():
             part.setEnabled(enabled)
             part.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            part.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # wherever it was left
             layout.addWidget(part)
     with qtbot.waitExposed(window):
         window.show()
