@@ -33,7 +33,7 @@ class Interrupter:
 
         def ask_and_change(worker: Worker[Any, Any], question: Any) -> None:
             ask(worker, question)
-            if self._names[worker] == self.name and self.studio is not None:
+            if self._names.get(worker) == self.name and self.studio is not None:
                 studio, self.studio = self.studio, None
                 studio.document.do(weight_examples, WANDER.type, WANDER.id, ["1"], 2.0)
                 self.was_busy_then = worker.busy
