@@ -28,7 +28,7 @@ from .behaviors import (
     set_settings,
 )
 from .calls import Caller, callers, users
-from .carrying import carry_states, left_behind
+from .carrying import carry_states, give_back, left_behind, lend
 from .copying import Where, copy_states
 from .cuts import move_cut, remove_cut
 from .demonstrations import (
@@ -122,8 +122,10 @@ __all__ = [
     "duplicate_automaton",
     "enable_examples",
     "forget_layout",
+    "give_back",
     "group_nodes",
     "left_behind",
+    "lend",
     "move_arm",
     "move_cut",
     "move_demonstration",

@@ -12,7 +12,7 @@ from ..project import Project
 from ..vocabulary import Vocabulary
 from .bindings import bindings_of
 from .copying import Where, copied_states, tests, with_rules_of_trees
-from .place import find_automaton, find_type, listed, with_automaton, with_examples, with_layout
+from .place import find_automaton, find_type, listed, with_automaton, with_examples, with_layout, with_library
 from .states import refuse_states
 
 
@@ -40,6 +40,18 @@ def carry_states(
             project = carrier.project
     unseen = [use.id for use in _unseen(project, scenario, original, into)]
     return copied_states(project, source, state_ids, into, contents, unseen)
+
+
+def lend(project: Project, type_name: str, automaton: Automaton) -> tuple[Project, str]:
+    """*project* with an automaton as it once was beside its own, for its states to be copied; also returns its id."""
+    lent = fresh_id(project.library(type_name).automata, automaton.id, "lent")
+    return with_automaton(project, type_name, replace(automaton, id=lent)), lent
+
+
+def give_back(project: Project, type_name: str, lent: str) -> Project:
+    """*project* without what was lent to it."""
+    automata = project.library(type_name).automata
+    return with_library(project, type_name, {key: one for key, one in automata.items() if key != lent})
 
 
 def left_behind(

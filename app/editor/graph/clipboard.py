@@ -1,8 +1,8 @@
-"""States in the clipboard: where they were copied from, and which; copies are made from the project when pasted."""
+"""States in the clipboard: of which project and automaton, and which; copies are made from the project when pasted."""
 
 import atexit
 import json
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 
 from PySide6.QtCore import QMimeData
@@ -13,8 +13,13 @@ STATES_MIME = "application/x-understudy-states"
 
 @dataclass(frozen=True, slots=True)
 class CopiedStates:
-    """States of an automaton, by ids."""
+    """States of an automaton, by ids.
 
+    Attributes:
+        project: Stands for the project that is open: ids of another one would mean something else.
+    """
+
+    project: str
     type: str
     automaton: str
     states: tuple[str, ...]
@@ -23,8 +28,7 @@ class CopiedStates:
 def put(copied: CopiedStates, names: str) -> None:
     """Put states into the clipboard, with their *names* for programs that only read text."""
     data = QMimeData()
-    content = {"type": copied.type, "automaton": copied.automaton, "states": list(copied.states)}
-    data.setData(STATES_MIME, json.dumps(content).encode())
+    data.setData(STATES_MIME, json.dumps(asdict(copied)).encode())
     data.setText(names)
     QGuiApplication.clipboard().setMimeData(data)
     _leave_words_at_exit()
@@ -50,8 +54,7 @@ def there() -> CopiedStates | None:
         return None
     try:
         content = json.loads(bytes(data.data(STATES_MIME).data()))
-        return CopiedStates(
-            str(content["type"]), str(content["automaton"]), tuple(map(str, content["states"]))
-        )
+        project, kind, automaton = (str(content[name]) for name in ("project", "type", "automaton"))
+        return CopiedStates(project, kind, automaton, tuple(map(str, content["states"])))
     except (ValueError, KeyError, TypeError):
         return None

@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
+from uuid import uuid4
 
-from ...core.automaton import START, Basic, Content, Nested
+from ...core.automaton import START, Automaton, Basic, Content, Nested
 from ...core.check.problem import Problem
 from ...core.edits import (
     add_prune,
@@ -15,7 +16,9 @@ from ...core.edits import (
     author_learned,
     carry_states,
     describe,
+    give_back,
     left_behind,
+    lend,
     move_states,
     remove_prune,
     remove_rule,
@@ -36,6 +39,7 @@ if TYPE_CHECKING:
 
 #: How far copies stand from all that was there.
 ASIDE = 40.0
+ELSEWHERE = "the states in the clipboard were copied from another project: export the behavior there, and import it here"
 LEARNED_COPIED = "what the states learned came along as rules; the examples stay where they were taught"
 #: What one step does: project in, project and more out.
 Step = Callable[[Project], tuple[Project, Any]]
@@ -47,6 +51,12 @@ class GraphEditing:
     def __init__(self, studio: Studio, scene: GraphScene) -> None:
         self._studio = studio
         self._scene = scene
+        self._copied: tuple[clipboard.CopiedStates, Automaton] | None = None
+        self._project = uuid4().hex
+        studio.opened.connect(self._opened)
+
+    def _opened(self) -> None:
+        self._copied, self._project = None, uuid4().hex
 
     def _push(self, text: str, step: Step) -> Any:
         """Do several edits as one step; what is refused is told, and nothing is done."""
@@ -208,15 +218,27 @@ class GraphEditing:
         level = self._scene.levels[states[-1][:-1]]
         ids = tuple(path[-1] for path in states if path[:-1] == level.path)
         names = ", ".join(self._name(level, state) for state in ids)
-        clipboard.put(clipboard.CopiedStates(level.type, level.automaton.id, ids), names)
+        copied = clipboard.CopiedStates(self._project, level.type, level.automaton.id, ids)
+        self._copied = copied, level.automaton
+        clipboard.put(copied, names)
         return True
 
     def paste(self, level: Drawn) -> list[Path]:
-        """Copies of the states in the clipboard, with the transitions among them; returns where they are."""
+        """Copies of the states in the clipboard, with the transitions among them; returns where they are.
+
+        States that were removed since are copied as they were.
+        """
         copied = clipboard.there()
         if copied is None:
             self._studio.warn("there are no states in the clipboard: select some and copy them first")
             return []
+        if copied.project != self._project:
+            self._studio.warn(ELSEWHERE)
+            return []
+        now = self._studio.document.automaton(copied.type, copied.automaton)
+        gone = now is None or not all(map(now.has_state, copied.states))
+        if gone and self._copied is not None and self._copied[0] == copied:
+            return self._copies((copied.type, copied.automaton), copied.states, level, self._copied[1])
         return self._copies((copied.type, copied.automaton), copied.states, level)
 
     def duplicate(self, states: Sequence[Path]) -> list[Path]:
@@ -227,13 +249,20 @@ class GraphEditing:
         ids = [path[-1] for path in states if path[:-1] == level.path and path[-1] != START]
         return self._copies((level.type, level.automaton.id), ids, level)
 
-    def _copies(self, source: tuple[str, str], ids: Sequence[str], level: Drawn) -> list[Path]:
+    def _copies(
+        self, source: tuple[str, str], ids: Sequence[str], level: Drawn, once: Automaton | None = None
+    ) -> list[Path]:
+        """Make copies; *once* is the automaton as it was, where what is to be copied is gone."""
         where = level.type, level.automaton.id
+        before, lent = self._studio.document.project, ""
+        if once is not None:
+            before, lent = lend(before, source[0], once)
+            source = source[0], lent
 
-        def step(project: Project) -> tuple[Project, Mapping[str, str]]:
-            project, made = carry_states(
-                project, self._studio.document.scenario.vocabulary, source, ids, where
-            )
+        def step(_project: Project) -> tuple[Project, Mapping[str, str]]:
+            vocabulary = self._studio.document.scenario.vocabulary
+            project, made = carry_states(before, vocabulary, source, ids, where)
+            project = give_back(project, source[0], lent) if lent else project
             if source == where and project.layout_of(*where):
                 project = move_states(project, *where, {**level.base, **_beside(level, made)})
             return project, made
@@ -242,7 +271,6 @@ class GraphEditing:
             self._studio.warn("Start cannot be copied; there is one in every automaton")
             return []
         many = "a state" if len(ids) == 1 else f"{len(ids)} states"
-        before = self._studio.document.project
         made = self._push(f"Copy {many} into {level.automaton.name}", step)
         if made:
             self._tell_of_copies(before, source, ids, where, made.values())

@@ -11,7 +11,7 @@ from app.core.automaton import Basic, Nested
 from app.core.check import check
 from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.core.features import Ground
-from app.editor.graph.editing import LEARNED_COPIED
+from app.editor.graph.editing import ELSEWHERE, LEARNED_COPIED
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -80,7 +80,7 @@ def test_what_copied_states_learned_comes_along_as_rules(author: Author, studio:
     assert shown["return-with-box", "wander"] == "done"
 
 
-def test_states_of_an_automaton_that_is_gone_are_not_pasted_which_is_said(
+def test_states_of_an_automaton_that_is_gone_are_pasted_as_they_were(
     author: Author, studio: Studio, blank: BehaviorKey
 ) -> None:
     gone = studio.document.do(add_automaton, "agent", "Gone")
@@ -91,11 +91,9 @@ def test_states_of_an_automaton_that_is_gone_are_not_pasted_which_is_said(
     studio.undo()
     studio.undo()
     author.show(blank)
-    with author.qtbot.waitSignal(studio.said) as said:
-        author.key(Qt.Key.Key_V, CTRL)
-    assert said.args is not None
-    assert gone in said.args[0].text
-    assert len(automaton(author).states) == 1
+    author.key(Qt.Key.Key_V, CTRL)
+    assert [state.content for state in automaton(author).states[1:]] == [Basic("Forward")]
+    assert studio.document.automaton("agent", gone) is None
 
 
 def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
@@ -118,6 +116,37 @@ def test_states_copied_to_another_node_type_bring_along_what_that_lacks(
     assert len(studio.document.project.examples_of("authored-agent", "stroll")) == 10
     studio.undo()
     assert studio.document.automaton("authored-agent", "stroll") is None
+
+
+def test_states_that_were_removed_since_are_pasted_as_they_were(author: Author, blank: BehaviorKey) -> None:
+    author.show(AUTHORED)
+    author.click(author.named("Wander"))
+    author.click(("return-with-box",), keys=CTRL)
+    author.key(Qt.Key.Key_C, CTRL)
+    author.key(Qt.Key.Key_Delete)
+    assert [state.id for state in automaton(author).states] == ["start"]
+    author.show(blank)
+    author.key(Qt.Key.Key_V, CTRL)
+    found = automaton(author)
+    assert [state.content for state in found.states[1:]] == [Nested("wander"), Nested("return-with-box")]
+    assert len(found.rules) == 2
+    library = author.panel.studio.document.project.library("authored-agent")
+    assert len({one.name for one in library.automata.values()}) == len(library.automata)
+
+
+def test_states_of_another_project_are_not_taken_for_those_of_this_one(
+    author: Author, studio: Studio
+) -> None:
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_C, CTRL)
+    studio.open(studio.document.project, studio.document.scenario, None)
+    author.show(AUTHORED)
+    before = automaton(author)
+    with author.qtbot.waitSignal(studio.said) as said:
+        author.key(Qt.Key.Key_V, CTRL)
+    assert said.args is not None
+    assert said.args[0].text == ELSEWHERE
+    assert automaton(author) is before
 
 
 def test_what_looks_through_a_parameter_stays_behind_where_there_is_none_and_what_was_learned_there_stays(

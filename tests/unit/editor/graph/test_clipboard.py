@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from app.editor.graph.clipboard import CopiedStates, put, there
 application = QGuiApplication(["copy", "-platform", "offscreen"])
 assert there() is None
-copied = CopiedStates("agent", "forage", ("wander",))
+copied = CopiedStates("mine", "agent", "forage", ("wander",))
 put(copied, "Wander")
 assert there() == copied
 """
