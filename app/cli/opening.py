@@ -16,11 +16,16 @@ from ..sim.scenario import Scenario
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A project with the scenario that it lives in."""
+    """A project with the scenario that it lives in.
+
+    Attributes:
+        file: Where it was exported to; None for a project in its own folder.
+    """
 
     folder: Path
     project: Project
     scenario: Scenario
+    file: Path | None = None
 
 
 def open_project(folder: Path, *, trust: bool = False) -> Opened:
@@ -57,13 +62,13 @@ def open_runnable(path: Path, *, trust: bool = False) -> Opened:
         return open_project(path, trust=trust)
     exported = read(path)
     if not brings_code(exported.project):
-        return Opened(path.parent, exported.project, open_scenario(exported.project))
+        return Opened(path.parent, exported.project, open_scenario(exported.project), path)
     if not trust:
         raise TrustError(
             f"{path}: this file carries code (its scenario_code); read it, then allow it to run with --trust"
         )
     folder = _unpacked(exported)
-    return Opened(folder, exported.project, open_scenario(exported.project, folder, trust=True))
+    return Opened(folder, exported.project, open_scenario(exported.project, folder, trust=True), path)
 
 
 def _unpacked(exported: Exported) -> Path:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.check import refuse, refuse_top
-from ..core.errors import ParameterError, StorageError
+from ..core.errors import ParameterError, StorageError, UnderstudyError
 from ..core.project import Arm, Project, Value
 from ..editor.drawing.figures import Figure, FigureError, draw, refuse_format
 from ..engine.runs import RunResult, Treatment, treatment
@@ -121,7 +121,14 @@ def checked(request: Request, opened: Opened, arm: Arm, settings: Mapping[str, V
     settled = treatment(opened.project, opened.scenario, arm, settings, request.top)
     if request.top is not None:
         refuse_top(opened.project, opened.scenario.vocabulary, settled.arm, f"--top {request.top}")
-    refuse(_with_arm(opened.project, settled.arm), opened.scenario.vocabulary, arm.name)
+    try:
+        refuse(_with_arm(opened.project, settled.arm), opened.scenario.vocabulary, arm.name)
+    except UnderstudyError as error:
+        if opened.file is None:
+            raise
+        raise type(error)(
+            f"{opened.file}: {error}"
+        ) from error  # the files that it names are parts of that one
     return settled
 
 

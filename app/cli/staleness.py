@@ -20,6 +20,9 @@ def warn_of_stale(opened: Opened) -> None:
     """Tell the user that what runs is not what was taught."""
     if stale := stale_behaviors(opened.project):
         what = "was" if len(stale) == 1 else "were"
-        say(
-            f"{', '.join(stale)} {what} changed since last learned; `understudy train {opened.folder}` learns again"
+        mends = (
+            f"`understudy train {opened.folder}` learns again"
+            if opened.file is None
+            else f"learn again where {opened.file} was exported from, and export anew"
         )
+        say(f"{', '.join(stale)} {what} changed since last learned; {mends}")

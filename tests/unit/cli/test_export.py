@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from app.cli import main
-from tests.unit.cli.foraging import ARMS, stored
+from tests.unit.cli.foraging import ARMS, stored, taught
 
 SCENARIO = Path(__file__).parents[2] / "bare_scenario.py"
 
@@ -72,6 +72,35 @@ def test_a_file_that_is_no_export_is_refused(tmp_path: Path, capsys: pytest.Capt
     path.write_text("{}")
     assert main(["run", str(path)]) == 2
     assert "this is no export of Understudy" in told(capsys)[1]
+
+
+def test_what_is_wrong_in_an_exported_file_is_told_with_its_name(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out.json"
+    assert main(["export", str(folder), "-o", str(out)]) == 0
+    out.write_text(out.read_text().replace('"feature": "ICanSeeABox"', '"feature": "Telepathy"'))
+    told(capsys)
+    assert main(["run", str(out)]) == 2
+    said = told(capsys)[1]
+    assert f"understudy: {out}: " in said
+    assert "looks at 'Telepathy', which is no feature of the scenario" in said
+
+
+def test_what_was_changed_in_an_exported_file_cannot_be_trained_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, homing = tmp_path / "out.json", stored(tmp_path / "homing", taught())
+    assert main(["demonstrate", str(homing)]) == 0
+    assert main(["export", str(homing), "--examples", "-o", str(out)]) == 0
+    document = json.loads(out.read_text())
+    (goto,) = (one for one in document["libraries"]["agent"] if one["name"] == "Goto")
+    goto["settings"] = {"pruning_confidence": 0.25}
+    out.write_text(json.dumps(document))
+    told(capsys)
+    assert main(["run", str(out), "--ticks", "1"]) == 0
+    said = told(capsys)[1]
+    assert f"agent/Goto was changed since last learned; learn again where {out} was exported from" in said
 
 
 def test_a_project_with_its_own_scenario_takes_it_along_and_runs_only_when_trusted(
