@@ -77,7 +77,10 @@ class TimelinePanel(QWidget):
     # --------------------------------------------------------------------------------------------- the run
 
     def _take(self, snapshot: Snapshot) -> None:
+        before = self.past.version
         self.past.take(snapshot)
+        if self.past.version != before:
+            self._picks = [dot for dot in self._picks if dot.tick <= snapshot.tick]
         if self.isVisible():
             self._live.ask()
 

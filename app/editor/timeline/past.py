@@ -55,6 +55,7 @@ class Past:
         self._record = Record()
         self._run: tuple[object, ...] = ()
         self._moved = False
+        self._seed: int | None = None
         self._known: dict[str, _Known] = {}
 
     @property
@@ -89,10 +90,11 @@ class Past:
 
     def take(self, snapshot: Snapshot) -> bool:
         """Take in the world as it is now; whether there is anything new."""
-        if self._moved and snapshot.tick == 0:
+        if (self._moved and snapshot.tick == 0) or snapshot.seed != self._seed:
             self.clear()
-        run = snapshot.revision, snapshot.seed, snapshot.lesson is None
-        if run != self._run:
+        self._seed = snapshot.seed
+        run = snapshot.revision, snapshot.lesson is None
+        if run != self._run or snapshot.lesson is not None:  # what was picked does not come by itself again
             self._run = run
             self.end_at(snapshot.tick)
         if self.points and snapshot.tick <= self.points[-1].tick:

@@ -180,6 +180,24 @@ def test_in_a_lesson_nobody_goes_back_and_that_is_said(
     assert shown(window) == 40
 
 
+def test_a_lesson_that_goes_on_in_a_world_that_begins_again_has_another_line(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    bridge = window.studio.bridge
+    bridge.send(Teach("agent", "forage", ("agent-1",)))
+    bridge.send(Step(40))
+    qtbot.waitUntil(lambda: shown(window) == 40, timeout=PATIENCE)
+    bridge.send(Pick("agent-1", "wander"))
+    bridge.send(Step(40))
+    qtbot.waitUntil(lambda: len(panel.strip.shown.picks) == 1 and shown(window) == 80, timeout=PATIENCE)
+    window.studio.actions["run.reset"].trigger()
+    qtbot.waitUntil(lambda: shown(window) == 0, timeout=PATIENCE)
+    assert panel.past.points[-1].tick == 0
+    bridge.send(Step(60))
+    qtbot.waitUntil(lambda: panel.strip.shown.now == 60, timeout=PATIENCE)
+    assert panel.strip.shown.picks == ()
+
+
 def test_another_world_begins_another_line(window: MainWindow, panel: TimelinePanel, qtbot: QtBot) -> None:
     passes(window, panel, qtbot, 30)
     with qtbot.waitSignal(window.studio.bridge.place_changed, timeout=PATIENCE):
