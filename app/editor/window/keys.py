@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QComboBox,
+    QDockWidget,
     QLineEdit,
     QRadioButton,
     QTabBar,
@@ -30,6 +31,7 @@ MOVES = (
 )
 _MOVED = (QAbstractItemView, QAbstractSlider, QAbstractSpinBox, QComboBox, QTabBar)
 _SWITCHED = (QCheckBox, QRadioButton)
+_TYPED = (QLineEdit, QAbstractSpinBox)
 _COMMANDING = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 _BY_THEMSELVES = (
     Qt.Key.Key_Control,
@@ -47,7 +49,7 @@ class OwnKeys(QObject):
     Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them. Before
     that it takes what was typed as finished if the key is a command, and does what it has put off, so that the key finds
     things, and what is possible, as they are by now. Buttons are pressed by Enter, since time goes on and stops by the
-    space bar wherever one is.
+    space bar wherever one is. Escape empties a filter and leaves a field: letters are shortcuts only outside of those.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -55,11 +57,12 @@ class OwnKeys(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Take a key from the shortcuts if it belongs to what has the focus; press a button that let Enter through."""
+        """Take a key from the shortcuts if it belongs to what has the focus; do what that has let through."""
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() is QEvent.Type.KeyPress:
-            return _presses(event, QApplication.focusWidget())
+            focus = QApplication.focusWidget()
+            return _presses(event, focus) or _leaves(event, focus)
         if event.type() is not QEvent.Type.ShortcutOverride:
             return False
         if _commands(event):
@@ -95,10 +98,34 @@ def _presses(event: QKeyEvent, focus: QWidget | None) -> bool:
     return True
 
 
+def _leaves(event: QKeyEvent, focus: QWidget | None) -> bool:
+    """Empty the filter that has the focus, or leave the field, if the key does that; whether it did."""
+    if event.key() != Qt.Key.Key_Escape or event.modifiers() or not isinstance(focus, _TYPED):
+        return False
+    if isinstance(focus, QLineEdit) and focus.isClearButtonEnabled() and focus.text():
+        focus.clear()
+        return True
+    panel = _panel_of(focus)
+    if panel is not None:
+        panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
+    if QApplication.focusWidget() is focus:
+        focus.window().setFocus()
+    return True
+
+
+def _panel_of(field: QWidget) -> QWidget | None:
+    above: QWidget | None = field
+    while above is not None and not isinstance(above, QDockWidget):
+        above = above.parentWidget()
+    return None if above is None else above.widget()
+
+
 def belongs(event: QKeyEvent, focus: QWidget | None) -> bool:
     """Whether a key means something to what has the focus, rather than to the window."""
     if event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
         return False
+    if event.key() == Qt.Key.Key_Escape:
+        return isinstance(focus, _TYPED)
     if event.key() == Qt.Key.Key_Space:
         return isinstance(focus, _SWITCHED)
     return event.key() in MOVES and isinstance(focus, _MOVED)

@@ -3,15 +3,17 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QCheckBox, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QCheckBox, QPushButton, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.editor.actions import ActionRow
 from app.editor.agents.panel import AgentsPanel
+from app.editor.library.panel import LibraryPanel
 from app.editor.soon import catch_up
 from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Step
+from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
 
 
@@ -90,6 +92,39 @@ def test_enter_presses_the_button_that_has_the_focus_and_the_space_bar_plays(
     assert done == ["pressed"]
     qtbot.keyClick(button, Qt.Key.Key_Space)
     assert done == ["pressed", "played"]
+
+
+def test_escape_empties_a_filter_then_leaves_it_for_the_list(window: MainWindow, qtbot: QtBot) -> None:
+    panel = window.docks["library"].widget()
+    assert isinstance(panel, LibraryPanel)
+    window.activateWindow()
+    panel.filter.setFocus()
+    qtbot.keyClicks(panel.filter, "go")
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Escape)
+    assert (panel.filter.text(), panel.filter.hasFocus()) == ("", True)
+    qtbot.keyClick(panel.filter, Qt.Key.Key_Escape)
+    assert panel.tree.hasFocus()
+
+
+@pytest.mark.parametrize("place", ["seed", "ask"])
+def test_escape_leaves_a_field_and_only_then_ends_a_lesson(
+    window: MainWindow, qtbot: QtBot, place: str
+) -> None:
+    studio = window.studio
+    window.activateWindow()
+    studio.actions["teach.teach"].trigger()
+    qtbot.waitUntil(lambda: studio.mode is Mode.TEACHING)
+    studio.teaching.asking.toggle()
+    spin = window.toolbar.findChild(QAbstractSpinBox)
+    assert spin is not None
+    qtbot.waitUntil(spin.isEnabled)
+    field = window.toolbar.seed if place == "seed" else spin
+    field.setFocus()
+    qtbot.keyClick(field, Qt.Key.Key_Escape)
+    assert window.hasFocus()
+    assert studio.actions["teach.stop"].isEnabled()
+    qtbot.keyClick(window, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: studio.mode is Mode.RUNNING)
 
 
 @pytest.mark.parametrize("floats", [False, True])
