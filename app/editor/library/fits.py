@@ -19,6 +19,8 @@ from ...learner.trainer import Key, fingerprint, refit
 
 #: Milliseconds without another change before anything is worked out, as with learning: what is learned changes it again.
 PATIENCE = 120
+#: A share that differs from all by no more is all.
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,15 @@ class Fit:
     share: float | None = None
     conflicts: int = 0
     problem: str = ""
+
+    @property
+    def brief(self) -> str:
+        """In few words, such as "fits all 12 examples"; empty if nothing was learned, or something else than this."""
+        if self.share is None or self.stale or self.problem:
+            return ""
+        if self.share < 1.0 - ROUNDING:
+            return f"fits {self.share:.0%} of {counted(self.learned_from, 'example')}"
+        return f"fits all {self.learned_from} examples" if self.learned_from > 1 else "fits its example"
 
     @property
     def words(self) -> str:

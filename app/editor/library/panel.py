@@ -51,17 +51,18 @@ class LibraryPanel(QWidget):
         filter: Words that a behavior has to have.
         tree: The behaviors.
         model, shown: All of them, and those that the filter leaves.
+        fits: How well what was learned of them fits.
     """
 
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
         self._surveyor = Surveyor()
-        self._fits = Fits(self)
+        self.fits = Fits(self)
         self._arm = ""
         self._kept_in_sight: RowKey | None = None
         self._words: tuple[Project, dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]]] | None = None
-        self.model = LibraryModel(self._fits, self._renamed)
+        self.model = LibraryModel(self.fits, self._renamed)
         self.shown = LibraryFilter(self.model, self._words_of)
         self.tree = LibraryTree()
         self.delegate = BehaviorDelegate(studio, self.tree)
@@ -115,7 +116,7 @@ class LibraryPanel(QWidget):
         studio.selection.behavior_changed.connect(self._show_selected)
         studio.colors.changed.connect(self.tree.viewport().update)
         studio.theme.changed.connect(self.tree.viewport().update)
-        studio.closing.connect(self._fits.close)
+        studio.closing.connect(self.fits.close)
         self.filter.textChanged.connect(self._filtered)
         self.filter.returnPressed.connect(self._enter_tree)
         self.filter.installEventFilter(self)
@@ -154,7 +155,7 @@ class LibraryPanel(QWidget):
         taught = any(row.is_automaton for row in self.model.rows)
         self.empty.setVisible(studio.is_open and not taught)
         if self.isVisible() and studio.is_open:
-            self._fits.follow(project, studio.document.scenario.vocabulary)
+            self.fits.follow(project, studio.document.scenario.vocabulary)
         if self.filter.text():
             self._filtered()
         self._show_selected()

@@ -23,6 +23,7 @@ from ..exporting.dialog import export_rows
 from ..exporting.import_dialog import import_rows
 from ..focus_frame import frame_views
 from ..guide.card import Guide, guide_rows
+from ..library.panel import LibraryPanel
 from ..preferences.dialog import SETTINGS, open_preferences, preference_rows
 from ..teach.ask_control import AskControl
 from .docks import DOCKS, Dock, has_keys, place_docks, share_places, size_docks
@@ -145,7 +146,11 @@ class MainWindow(QMainWindow):
         self.toolbar = Toolbar(studio, self.speed)
         self.toolbar.insertWidget(self.toolbar.before_arm, AskControl(studio))
         self.addToolBar(self.toolbar)
-        self.setStatusBar(StatusBar(studio))
+        status = StatusBar(studio)
+        self.setStatusBar(status)
+        library = self.docks["library"].widget()
+        assert isinstance(library, LibraryPanel)
+        status.tell_of(library.fits)
         self.messages = MessageBar(studio, self._pages)
         self._pages.installEventFilter(self)
         self.guide = Guide(self, self._pages)

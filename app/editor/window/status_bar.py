@@ -12,6 +12,7 @@ from ...engine.snapshots import Snapshot
 from .physics import physics_words
 
 if TYPE_CHECKING:
+    from ..library.fits import Fits
     from ..studio import Studio
 
 #: Milliseconds between two looks at what changes slowly.
@@ -33,6 +34,8 @@ class StatusBar(QStatusBar):
         self.measures.setToolTip("What the world counts so far; the panel Plots shows how it came")
         self.scenario = self._label()
         self.learner = self._label()
+        self.fit = self._label()
+        self.fit.setToolTip("How well what was learned of the selected behavior fits its examples")
         self.notice = self._label()
         self.saved = QLabel()
         self.saved.setProperty("role", "caption")
@@ -46,6 +49,19 @@ class StatusBar(QStatusBar):
         studio.changed.connect(self._slowly)
         studio.relearning.changed.connect(self._slowly)
 
+    def tell_of(self, fits: Fits) -> None:
+        """Say how well what was learned of the selected behavior fits its examples, as far as that is known."""
+
+        def tell(_keys: object = None) -> None:
+            key, document = self._studio.selection.behavior, self._studio.document
+            automaton = None if key is None else document.automaton(key.type, key.id)
+            fit = None if key is None else fits.of((key.type, key.id))
+            words = "" if fit is None else fit.brief
+            self.fit.setText(f"{automaton.name} {words}" if automaton is not None and words else "")
+
+        fits.changed.connect(tell)
+        self._studio.selection.behavior_changed.connect(tell)
+
     def _label(self) -> QLabel:
         label = QLabel()
         label.setProperty("role", "caption")
@@ -54,7 +70,15 @@ class StatusBar(QStatusBar):
         return label
 
     def _cleared(self) -> None:
-        for label in (self.tick, self.rate, self.measures, self.scenario, self.learner, self.notice):
+        for label in (
+            self.tick,
+            self.rate,
+            self.measures,
+            self.scenario,
+            self.learner,
+            self.fit,
+            self.notice,
+        ):
             label.clear()
 
     def _snapshot_changed(self, snapshot: Snapshot) -> None:

@@ -328,6 +328,12 @@ def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_s
     qtbot.keyClick(window, Qt.Key.Key_Space)
     window.studio.document.do(disable_examples, "agent", "wander", ["1"])
     qtbot.waitUntil(lambda: bar.learner.text().startswith("learned "), timeout=PATIENCE)
+    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))
+    qtbot.waitUntil(lambda: bar.fit.text() == "Forage fits all 10 examples", timeout=PATIENCE)
+    window.studio.selection.select_behavior(
+        BehaviorKey("agent", "wander")
+    )  # two of its examples contradict each other
+    qtbot.waitUntil(lambda: bar.fit.text() == "Wander fits 89% of 9 examples", timeout=PATIENCE)
     assert bar.saved.text() == "unsaved changes"
     window.studio.open(foraging, open_scenario(foraging), None, saved=False)
     qtbot.waitUntil(lambda: bar.learner.text() == "", timeout=PATIENCE)  # that was another project
