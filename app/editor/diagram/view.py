@@ -77,20 +77,24 @@ class DiagramView(QGraphicsView):
         scale = max(self._least, min(wide, high, FITTED))
         self.resetTransform()
         self.scale(scale, scale)
-        self._frame(MARGIN / 2 / scale, Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        across, down = (
+            _room(all_of_it, side * scale) / scale
+            for all_of_it, side in ((seen.width(), whole.width()), (seen.height(), whole.height()))
+        )
+        self._frame(across, down, Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.centerOn(self._middle(whole, scale))
 
-    def _frame(self, room: float, bars: Qt.ScrollBarPolicy) -> None:
-        """Leave *room* around the diagram."""
+    def _frame(self, across: float, down: float, bars: Qt.ScrollBarPolicy) -> None:
+        """Leave room beside the diagram, and above and below it."""
         self.setHorizontalScrollBarPolicy(bars)
         self.setVerticalScrollBarPolicy(bars)
-        self.setSceneRect(self.contents().adjusted(-room, -room, room, room))
+        self.setSceneRect(self.contents().adjusted(-across, -down, across, down))
 
     def _take_over(self) -> None:
         """The user has panned or zoomed: the diagram goes wherever it is put, even out of sight."""
         self.is_fitted = False
         self._least = READABLE
-        self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._frame(ROOM, ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def _scrolled(self) -> None:
         """What was scrolled to stays."""
@@ -115,7 +119,7 @@ class DiagramView(QGraphicsView):
     def changed(self) -> None:
         """Say that the diagram has another extent."""
         if not self.is_fitted:
-            self._frame(ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            self._frame(ROOM, ROOM, Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         elif self._shown_whole != (self.contents(), self.maximumViewportSize()):
             self._fit_in()
 
@@ -162,3 +166,8 @@ class DiagramView(QGraphicsView):
         super().resizeEvent(event)
         if self.is_fitted and self._shown_whole[1] != self.maximumViewportSize():
             self._fit_in()
+
+
+def _room(seen: float, filled: float) -> float:
+    """The room on either side of what fills so many of the pixels seen: no more than there is, or there would be a bar."""
+    return min(MARGIN / 2, max(0.0, (seen - filled - 1.0) / 2))  # a pixel less, since Qt rounds

@@ -1,6 +1,7 @@
 """The decision tree says how a state decides, and where the selected node is in it."""
 
 from dataclasses import replace
+from math import ceil
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -12,6 +13,7 @@ from app.core.automaton import START, Basic, Refit
 from app.core.conditions import Equals
 from app.core.edits import add_state, set_learned
 from app.core.tree import Branch, Forest, Leaf, Tree
+from app.editor.diagram.view import READABLE
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.tree.node_item import NodeWords
@@ -211,6 +213,16 @@ def test_a_node_seen_from_afar_says_under_the_mouse_what_it_is(
     QApplication.sendEvent(panel.view.viewport(), hover)
     assert "Wander 6, ReturnWithBox 2" in QToolTip.text()
     QToolTip.hideText()
+
+
+def test_a_tree_that_just_fits_in_is_not_scrolled(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    large(panel, studio, qtbot, depth=2)
+    view = panel.view
+    beside = panel.width() - view.maximumViewportSize().width()
+    panel.resize(beside + ceil(view.contents().width() * READABLE) + 2, panel.height())
+    qtbot.waitUntil(
+        lambda: view.scale_now == pytest.approx(READABLE) and not view.horizontalScrollBar().isVisible()
+    )
 
 
 def test_a_model_without_a_tree_says_so(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
