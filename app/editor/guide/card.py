@@ -178,6 +178,8 @@ class Guide(QFrame):
         self._picked, self._stopped = "", False
         snapshot = self._studio.snapshot
         self._from_tick = 0 if snapshot is None else snapshot.tick
+        if snapshot is not None and snapshot.stops_at is not None:  # for the step before
+            self._studio.bridge.send(StopAt(None))
         self.bar.setValue(self.step)
         self.back.setEnabled(self.step > 0)
         if self.step == len(STEPS):

@@ -66,6 +66,12 @@ def time_stands_still(window: MainWindow) -> Callable[[], bool]:
     return lambda: studio.snapshot is not None and studio.snapshot.speed == 0.0
 
 
+def all_is_answered(window: MainWindow) -> Callable[[], bool]:
+    studio, engine = window.studio, window.studio.bridge._engine
+    assert engine is not None
+    return lambda: studio.snapshot is not None and studio.snapshot.acknowledged >= engine._tickets
+
+
 def turn_left(window: MainWindow, qtbot: QtBot) -> None:
     """Do what the lesson says until the agent turns left, while time passes."""
     qtbot.keyClick(window, Qt.Key.Key_T)
@@ -135,6 +141,7 @@ def test_time_does_not_stop_later_for_who_goes_on_before_it_has_stopped(
     def stops() -> bool:
         return lesson.studio.snapshot is not None and lesson.studio.snapshot.stops_at is not None
 
+    lesson.studio.settings.learns_by_itself = False  # nothing else makes the engine tell how it stands
     turn_left(lesson, qtbot)
     qtbot.keyClick(lesson, Qt.Key.Key_Space)
     qtbot.waitUntil(time_stands_still(lesson), timeout=PATIENCE)
@@ -142,6 +149,7 @@ def test_time_does_not_stop_later_for_who_goes_on_before_it_has_stopped(
     at(lesson, qtbot, "Turn it right")
     qtbot.keyClick(lesson, Qt.Key.Key_Period)
     qtbot.waitUntil(stops, timeout=PATIENCE)
+    qtbot.waitUntil(all_is_answered(lesson), timeout=PATIENCE)
     if way == "picks early":
         pick(lesson, qtbot, "RotateRight")
     else:
