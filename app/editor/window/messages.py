@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -73,11 +74,16 @@ class MessageBar(QFrame):
         self.hide()
 
     def say(self, message: Message) -> None:
-        """Show a message, after those that are waiting."""
+        """Show a message, after those that are waiting; a warning is shown before what is only good to know."""
         if message == self.current or message in self._waiting:
             return
+        current, urgent = self.current, message.kind is not Kind.INFO
+        if current is not None and urgent and not self._timer.isActive() and current.kind is Kind.INFO:
+            self._waiting.extendleft((current, message))  # what it asks is asked again after that
+            self._next()
+            return
         self._waiting.append(message)
-        if self.current is None or (self._timer.isActive() and message.kind is not Kind.INFO):
+        if current is None or (self._timer.isActive() and urgent):
             self._next()
 
     def dismiss(self) -> None:
@@ -104,6 +110,7 @@ class MessageBar(QFrame):
             self._layout.removeWidget(button)
             button.deleteLater()
         self._answers = [self._button(text, act) for text, act in message.answers]
+        self.setFocusProxy((*self._answers, self._close)[0])
         self._dress()
         self.show()
         self.raise_()
@@ -111,6 +118,17 @@ class MessageBar(QFrame):
         if not message.answers and message.kind is not Kind.ERROR:
             self._timer.start(AT_LEAST + A_LETTER * len(message.text))
         self.shown.emit(message.text)
+
+    def event(self, event: QEvent) -> bool:
+        """Escape dismisses a message that the keys go to, and does nothing else."""
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() is QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if event.type() is QEvent.Type.KeyPress:
+                self.dismiss()
+                return True
+        return super().event(event)
 
     def _button(self, text: str, act: object) -> QPushButton:
         button = QPushButton(plain(text))

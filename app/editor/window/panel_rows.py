@@ -67,15 +67,17 @@ def _way_row(window: MainWindow, name: str, text: str, steps: int, keys: str, ic
         lambda _: _go_on(window, steps),
         "panels",
         keys,
-        f"Let keys go to the {text.lower()} in sight, or to the world",
+        f"Let keys go to the {text.lower()} in sight, to the world, or to a message",
         icon,
         enabled=when_open,
     )
 
 
 def _go_on(window: MainWindow, steps: int) -> None:
-    """Let keys go to the world or a panel in sight, so many places after where they go now."""
-    places = [window.canvas, *(dock.widget() for dock in window.docks.values() if is_in_sight(dock))]
+    """Let keys go to the world, a message or a panel in sight, so many places after where they go now."""
+    said = [window.messages] if window.messages.isVisible() else []
+    panels = [dock.widget() for dock in window.docks.values() if is_in_sight(dock)]
+    places = [window.canvas, *said, *panels]
     at = next((k for k, place in enumerate(places) if has_keys(place)), -1 if steps > 0 else 0)
     for further in range(1, len(places) + 1):
         place = places[(at + further * steps) % len(places)]

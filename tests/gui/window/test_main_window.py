@@ -97,6 +97,30 @@ def test_keys_work_on_after_a_message_was_answered_by_a_click(window: MainWindow
     qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.tick > 3, timeout=PATIENCE)
 
 
+def test_a_message_is_answered_and_dismissed_by_keys_alone(window: MainWindow, qtbot: QtBot) -> None:
+    window.activateWindow()
+    done: list[str] = []
+    for key, answers in ((Qt.Key.Key_Escape, []), (Qt.Key.Key_Return, ["yes"])):
+        window.studio.warn("something to answer", (("Yes", lambda: done.append("yes")),))
+        window.canvas.setFocus()
+        qtbot.keyClick(window.canvas, Qt.Key.Key_F6)
+        focus = QApplication.focusWidget()
+        assert isinstance(focus, QPushButton)
+        qtbot.keyClick(focus, key)
+        assert done == answers
+        assert not window.messages.isVisible()
+        assert window.hasFocus()
+
+
+def test_a_warning_comes_before_a_question_that_can_wait(window: MainWindow) -> None:
+    studio, messages = window.studio, window.messages
+    studio.say("a question", (("Yes", lambda: None),))
+    studio.warn("a warning", (("Mend it", lambda: None),))
+    assert messages.words.text() == "A warning"
+    messages.dismiss()
+    assert messages.words.text() == "A question"
+
+
 def test_an_edit_is_undone_and_redone_by_keys_that_come_right_after_it(
     window: MainWindow, qtbot: QtBot
 ) -> None:
