@@ -92,7 +92,10 @@ def _looking(stage: Stage, names: Sequence[str]) -> Iterator[Acts]:
     yield [partial(library.filter.setText, text) for text in ("b", "be", "behavior1", "wa", "")]
     yield [partial(table.filters.choose, table.filters.label, label) for label in ("forward", "left", None)]
     yield [partial(table.table.sortByColumn, column, rising) for column in (Column.LABEL, Column.ID)]
-    yield [partial(stage.studio.show_panel.emit, panel) for panel in ("plots", "problems", "examples")]
+    yield [
+        partial(stage.studio.show_panel.emit, panel)
+        for panel in ("plots", "problems", "timeline", "examples")
+    ]
 
 
 def _editing(stage: Stage, names: Sequence[str]) -> Iterator[Acts]:
