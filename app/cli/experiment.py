@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..core.check import refuse
 from ..core.errors import ParameterError
+from ..core.storage.atomic import WriteError, change_files
 from ..editor.drawing.experiment_chart import chart_of
 from ..editor.drawing.figures import FigureError, draw
 from ..engine.cores import cores
@@ -158,9 +159,9 @@ def _written(request: Request, found: Findings, files: Files) -> tuple[Files, bo
 
 def _write(path: Path, text: str) -> None:
     try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ResultsError(f"{path}: cannot be written: {error.strerror or error}") from error
+        change_files({path: text.encode()}, ())
+    except WriteError as error:
+        raise ResultsError(f"{path}: cannot be written: {error.error.strerror or error.error}") from error
 
 
 def _command(request: Request, experiment: Experiment) -> str:

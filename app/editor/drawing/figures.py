@@ -13,6 +13,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from ...core.errors import UnderstudyError
+from ...core.storage.atomic import WriteError, change_files
 from ...engine.interrupts import deaf_processes, noted_interrupts
 from .curves import Chart
 
@@ -114,9 +115,9 @@ def draw(figure: Figure | Chart, path: Path, *, dark: bool = False) -> None:
     """
     refuse_format(path)
     try:
-        path.write_bytes(_painted(figure, path.suffix.lower(), dark=dark))
-    except OSError as error:
-        raise FigureError(f"{path}: cannot be written: {error.strerror or error}") from error
+        change_files({path: _painted(figure, path.suffix.lower(), dark=dark)}, ())
+    except WriteError as error:
+        raise FigureError(f"{path}: cannot be written: {error.error.strerror or error.error}") from error
 
 
 def _painted(figure: Figure | Chart, ending: str, *, dark: bool) -> bytes:

@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...core.errors import StorageError, UnderstudyError
+from ...core.storage.atomic import WriteError, change_files
 from ...engine.experiments.data import curves_csv, runs_csv
 from ...engine.experiments.report import Files, markdown
+from ..documents.asking import Answer, Question
 from ..documents.choosing import choose_file
 from ..drawing.curve_painting import painted
 from ..drawing.experiment_chart import chart_of
@@ -49,7 +51,7 @@ class Exporting:
 
     def choose_data(self) -> None:
         """Ask where the numbers go."""
-        self._ask("Write the data", "csv", "CSV (*.csv)", self.write_data)
+        self._ask("Write the data", "csv", "CSV (*.csv)", self._ask_for_curves)
 
     def choose_report(self) -> None:
         """Ask where the report goes."""
@@ -60,6 +62,16 @@ class Exporting:
         if study is None:
             return
         choose_file(self._window, title, study.folder / f"{study.path.stem}.{ending}", kinds, write)
+
+    def _ask_for_curves(self, path: Path) -> None:
+        """The dialog has asked whether one file may be replaced, but there are two."""
+        beside = _curves_beside(path)
+        if path.exists() or not beside.exists():
+            self.write_data(path)
+            return
+        text = f"{beside} is there already, and the curves go there. What is in it would be gone."
+        answers = Answer("Replace", partial(self.write_data, path)), Answer("Cancel")
+        Question(self._window, self._window.studio.theme, "Replace the file?", text, answers).ask()
 
     # -------------------------------------------------------------------------------------------- writing
 
@@ -79,7 +91,7 @@ class Exporting:
         def content() -> dict[Path, bytes]:
             return {
                 path: runs_csv(found.experiment, rows).encode(),
-                path.with_name(f"{path.stem}-curves.csv"): curves_csv(found).encode(),
+                _curves_beside(path): curves_csv(found).encode(),
             }
 
         self._window.background.do(content, self._write, self._failed)
@@ -115,11 +127,16 @@ class Exporting:
         self._window.controls.tell(str(error))
 
 
+def _curves_beside(path: Path) -> Path:
+    """Where the curves go if the runs go to *path*."""
+    return path.with_name(f"{path.stem}-curves.csv")
+
+
 def _written(contents: dict[Path, bytes]) -> str:
-    """Write files; returns their names."""
-    for path, content in contents.items():
-        try:
-            path.write_bytes(content)
-        except OSError as error:
-            raise StorageError(f"{path}: cannot be written: {error.strerror or error}") from error
+    """Write files, all of them or none; returns their names."""
+    try:
+        change_files(contents, ())
+    except WriteError as error:
+        why = error.error.strerror or error.error
+        raise StorageError(f"{error.path}: cannot be written: {why}") from error
     return ", ".join(str(path) for path in contents)

@@ -26,6 +26,20 @@ def others(main: MainWindow) -> list[MainWindow]:
     return [w for w in there if isinstance(w, MainWindow) and w is not main and w.isVisible()]
 
 
+def save_as_proposed(window: ExperimentsWindow, qtbot: QtBot, button: str) -> None:
+    """Run, then write what was found under the name that is proposed."""
+    small(window, runs=1)
+    qtbot.mouseClick(window.controls.run, LEFT)
+    qtbot.waitUntil(lambda: finished(window) and not window.background.busy, timeout=3 * PATIENCE)
+    write = next(b for b in window.pages.exporting.buttons if b.text() == button)
+    qtbot.waitUntil(write.isEnabled)
+    qtbot.mouseClick(write, LEFT)
+    (dialog,) = window.findChildren(QFileDialog)
+    box = dialog.findChild(QDialogButtonBox)
+    assert isinstance(box, QDialogButtonBox)
+    qtbot.mouseClick(box.button(QDialogButtonBox.StandardButton.Save), LEFT)
+
+
 @pytest.mark.parametrize(
     ("button", "names"),
     [
@@ -38,19 +52,29 @@ def test_what_was_found_is_written_where_the_dialog_says(
     shown: Shown, qtbot: QtBot, button: str, names: list[str]
 ) -> None:
     _, window = shown
-    small(window, runs=1)
-    qtbot.mouseClick(window.controls.run, LEFT)
-    qtbot.waitUntil(lambda: finished(window) and not window.background.busy, timeout=3 * PATIENCE)
-    write = next(b for b in window.pages.exporting.buttons if b.text() == button)
-    qtbot.waitUntil(write.isEnabled)
-    qtbot.mouseClick(write, LEFT)
-    (dialog,) = window.findChildren(QFileDialog)
-    box = dialog.findChild(QDialogButtonBox)
-    assert isinstance(box, QDialogButtonBox)
-    qtbot.mouseClick(box.button(QDialogButtonBox.StandardButton.Save), LEFT)
+    save_as_proposed(window, qtbot, button)
     qtbot.waitUntil(lambda: told(window, "Written:"))
     assert window.study is not None
     assert [(window.study.folder / name).stat().st_size > 0 for name in names] == [True] * len(names)
+
+
+def test_curves_that_are_there_are_replaced_only_if_the_user_says_so(shown: Shown, qtbot: QtBot) -> None:
+    _, window = shown
+    small(window, runs=1)
+    assert window.study is not None
+    there = window.study.folder / "figure3-200-ticks-curves.csv"
+    there.parent.mkdir(exist_ok=True)
+    there.write_text("mine")
+    save_as_proposed(window, qtbot, "Data…")
+    (question,) = window.findChildren(Question)
+    assert str(there) in question.text
+    qtbot.mouseClick(question.buttons[1], LEFT)
+    assert there.read_text() == "mine"
+    save_as_proposed(window, qtbot, "Data…")
+    question = window.findChildren(Question)[-1]
+    qtbot.mouseClick(question.buttons[0], LEFT)
+    qtbot.waitUntil(lambda: told(window, "Written:"))
+    assert there.read_text() != "mine"
 
 
 def test_while_an_experiment_runs_it_says_how_long_it_will_take(shown: Shown, qtbot: QtBot) -> None:
