@@ -48,6 +48,8 @@ class StatusBar(QStatusBar):
         studio.opened.connect(self._cleared)
         studio.changed.connect(self._slowly)
         studio.relearning.changed.connect(self._slowly)
+        if studio.snapshot is not None:  # while time stands still, no other may come
+            self._snapshot_changed(studio.snapshot)
 
     def tell_of(self, fits: Fits) -> None:
         """Say how well what was learned of the selected behavior fits its examples, as far as that is known."""

@@ -340,6 +340,14 @@ def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: 
     qtbot.waitUntil(lambda: any("boxes 0" in label.text() for label in measures), timeout=PATIENCE)
 
 
+def test_the_status_bar_of_a_window_that_comes_later_says_the_tick_at_once(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    bar = StatusBar(studio)
+    qtbot.addWidget(bar)
+    assert bar.tick.text() == "tick 0"
+
+
 def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_saved(
     window: MainWindow, foraging: Project, qtbot: QtBot
 ) -> None:
