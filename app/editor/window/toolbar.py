@@ -133,6 +133,8 @@ class Toolbar(QToolBar):
         self._dress()
         self._refresh()
         self._say_what_undo_undoes()
+        if studio.snapshot is not None:  # while time stands still, no other may come
+            self._snapshot_changed(studio.snapshot)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where there is room, reset and undo say what they do; nothing else has to go for it."""

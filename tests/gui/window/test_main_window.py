@@ -340,12 +340,13 @@ def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: 
     qtbot.waitUntil(lambda: any("boxes 0" in label.text() for label in measures), timeout=PATIENCE)
 
 
-def test_the_status_bar_of_a_window_that_comes_later_says_the_tick_at_once(
+def test_a_window_that_comes_later_says_tick_and_seed_at_once(
     window: MainWindow, studio: Studio, qtbot: QtBot
 ) -> None:
-    bar = StatusBar(studio)
-    qtbot.addWidget(bar)
-    assert bar.tick.text() == "tick 0"
+    bar, tools = StatusBar(studio), Toolbar(studio, window.speed)
+    for part in (bar, tools):
+        qtbot.addWidget(part)
+    assert (bar.tick.text(), tools.seed.text()) == ("tick 0", "1")
 
 
 def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_saved(
