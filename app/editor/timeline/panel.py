@@ -38,7 +38,7 @@ class TimelinePanel(QWidget):
         super().__init__()
         self._studio = studio
         self.past = Past()
-        self._picks: list[PickDot] = []
+        self._picks: dict[tuple[str, ...], PickDot] = {}  # by where the first of their examples is
         self._looks: dict[Doing, tuple[str, QColor]] = {}
         self.strip = Strip(studio.theme, self.past, self._look)
         self._lay_out()
@@ -80,7 +80,7 @@ class TimelinePanel(QWidget):
         before = self.past.version
         self.past.take(snapshot)
         if self.past.version != before:
-            self._picks = [dot for dot in self._picks if dot.tick <= snapshot.tick]
+            self._picks = {at: dot for at, dot in self._picks.items() if dot.tick <= snapshot.tick}
         if self.isVisible():
             self._live.ask()
 
@@ -89,10 +89,11 @@ class TimelinePanel(QWidget):
         if isinstance(event, Moved) and snapshot is not None:
             self.past.move(snapshot.tick)
         elif isinstance(event, Picked) and event.recorded.examples:
-            self._picks.append(self._dot(event))
+            dot = self._dot(event)
+            self._picks.pop((*dot.key, dot.examples[0]), None)  # one that was taken back had the same ids
+            self._picks[*dot.key, dot.examples[0]] = dot
             self._live.ask()
         elif isinstance(event, TakenBack):
-            self._picks = [dot for dot in self._picks if dot.recorded != event.recorded]
             self._live.ask()
 
     def _history_changed(self) -> None:
@@ -103,7 +104,7 @@ class TimelinePanel(QWidget):
 
     def _another_world(self) -> None:
         self.past.clear()
-        self._picks = []
+        self._picks.clear()
         self._live.ask()
 
     def _dot(self, picked: Picked) -> PickDot:
@@ -121,11 +122,12 @@ class TimelinePanel(QWidget):
     def _standing(self) -> tuple[PickDot, ...]:
         """The picks that have not been taken back."""
         project = self._studio.document.project
+        dots = self._picks.values()
         there = {
-            key: {example.id for example in project.examples_of(*key)}
-            for key in {dot.key for dot in self._picks}
+            key: {example.id: example for example in project.examples_of(*key)}
+            for key in {dot.key for dot in dots}
         }
-        return tuple(dot for dot in self._picks if dot.examples[0] in there[dot.key])
+        return tuple(dot for dot in dots if dot.recorded_it(there[dot.key].get(dot.examples[0])))
 
     # ------------------------------------------------------------------------------------------ looking, going
 

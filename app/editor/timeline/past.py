@@ -55,7 +55,6 @@ class Past:
         self._record = Record()
         self._run: tuple[object, ...] = ()
         self._moved = False
-        self._seed: int | None = None
         self._known: dict[str, _Known] = {}
 
     @property
@@ -74,7 +73,7 @@ class Past:
         self._moved = False
 
     def move(self, tick: int) -> None:
-        """Something was moved by hand: going back repeats that, a world that begins again does not."""
+        """Something was moved by hand, which going back repeats."""
         self._moved = True
         self.end_at(tick)
 
@@ -90,11 +89,8 @@ class Past:
 
     def take(self, snapshot: Snapshot) -> bool:
         """Take in the world as it is now; whether there is anything new."""
-        if (self._moved and snapshot.tick == 0) or snapshot.seed != self._seed:
-            self.clear()
-        self._seed = snapshot.seed
         run = snapshot.revision, snapshot.lesson is None
-        if run != self._run or snapshot.lesson is not None:  # what was picked does not come by itself again
+        if run != self._run:
             self._run = run
             self.end_at(snapshot.tick)
         if self.points and snapshot.tick <= self.points[-1].tick:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ...core.edits.examples import Recorded
+    from ...core.examples import Example
     from ..theme import Theme
 
 #: Pixels: of the words beside the rows, at the right, of the axis below, and between two marks of it at least.
@@ -56,6 +57,11 @@ class PickDot:
     def examples(self) -> tuple[str, ...]:
         """The ids of what it recorded."""
         return tuple(example.id for example in self.recorded.examples)
+
+    def recorded_it(self, example: Example | None) -> bool:
+        """Whether an example with the id of its first one is that: taken back, ids are given to others."""
+        first = self.recorded.examples[0]
+        return example is not None and (example.tick, example.node) == (first.tick, first.node)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +101,7 @@ class Strip(QWidget):
         self._spans: dict[str, list[Span]] = {}
         self._band_now = Band()
         self._events: list[int] = []
+        self._drags = False  # the mouse was pressed on the line, and moves along it
         self.setAccessibleName("Timeline of the run")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -202,14 +209,15 @@ class Strip(QWidget):
         if event.button() != Qt.MouseButton.LeftButton:
             return
         dot = self._dot_at(event.position())
+        self._drags = dot is None and event.position().x() >= LEFT - NEAR
         if dot is not None:
             self.pick_chosen.emit(dot)
-        elif event.position().x() >= LEFT - NEAR:
+        elif self._drags:
             self.tick_wanted.emit(self.tick_at(event.position().x()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Go along with the mouse while its button is down."""
-        if event.buttons() & Qt.MouseButton.LeftButton:
+        """Go along with the mouse while its button is down, if it went down on the line."""
+        if self._drags and event.buttons() & Qt.MouseButton.LeftButton:
             self.tick_wanted.emit(self.tick_at(event.position().x()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

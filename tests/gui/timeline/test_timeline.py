@@ -11,7 +11,7 @@ from app.editor.timeline.band import HIGH, Band, band_of
 from app.editor.timeline.panel import TimelinePanel
 from app.editor.timeline.strip import DOT, short, step_of
 from app.editor.window.main_window import MainWindow
-from app.engine.commands import Pause, Pick, Play, Step, Teach
+from app.engine.commands import GoTo, MoveEntity, Pause, Pick, Play, Step, Teach
 from app.engine.snapshots import Mode
 from app.sim.doing import StateRef
 from tests.gui.conftest import PATIENCE
@@ -163,6 +163,64 @@ def test_picks_are_red_dots_until_they_are_taken_back_and_a_click_selects_what_t
     assert studio.selection.examples == second.examples
     studio.actions["edit.undo"].trigger()
     qtbot.waitUntil(lambda: panel.strip.shown.picks == (first,), timeout=PATIENCE)
+
+
+def picked_once(window: MainWindow, panel: TimelinePanel, qtbot: QtBot, agent: str) -> int:
+    """Begin a lesson, pick once, and let time pass; returns the tick of the pick."""
+    bridge, at = window.studio.bridge, shown(window)
+    bridge.send(Teach("agent", "forage", (agent,)))
+    bridge.send(Step(60))
+    qtbot.waitUntil(lambda: shown(window) == at + 60, timeout=PATIENCE)
+    bridge.send(Pick(agent, "return-with-box"))
+    bridge.send(Step(60))
+    qtbot.waitUntil(lambda: panel.strip.shown.now == at + 120, timeout=PATIENCE)
+    return at + 60
+
+
+def test_a_hand_that_trembles_on_a_pick_does_not_go_back_in_the_run(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    strip, wanted = panel.strip, list[int]()
+    tick = picked_once(window, panel, qtbot, "agent-1")
+    qtbot.waitUntil(lambda: len(strip.shown.picks) == 1, timeout=PATIENCE)
+    strip.tick_wanted.connect(wanted.append)
+    at = QPointF(strip.x_of(tick), strip.middle_of(0)).toPoint()
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=at)
+    qtbot.mouseMove(strip, at + QPoint(2, 1))
+    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=at + QPoint(2, 1))
+    assert window.studio.selection.examples == strip.shown.picks[0].examples
+    assert wanted == []
+
+
+def test_a_pick_that_was_undone_does_not_come_back_with_one_whose_examples_have_the_same_ids(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    studio = window.studio
+    picked_once(window, panel, qtbot, "agent-1")
+    qtbot.waitUntil(lambda: len(panel.strip.shown.picks) == 1, timeout=PATIENCE)
+    studio.actions["teach.stop"].trigger()
+    qtbot.waitUntil(lambda: studio.mode is Mode.RUNNING, timeout=PATIENCE)
+    studio.actions["edit.undo"].trigger()
+    qtbot.waitUntil(lambda: panel.strip.shown.picks == (), timeout=PATIENCE)
+    tick = picked_once(window, panel, qtbot, "agent-2")
+    qtbot.waitUntil(lambda: bool(panel.strip.shown.picks), timeout=PATIENCE)
+    assert [(dot.tick, dot.words.partition(" was")[0]) for dot in panel.strip.shown.picks] == [
+        (tick, f"tick {tick}: Agent 2")
+    ]
+
+
+def test_what_came_stays_in_sight_at_tick_0_also_where_something_was_moved(
+    window: MainWindow, panel: TimelinePanel, qtbot: QtBot
+) -> None:
+    bridge = window.studio.bridge
+    passes(window, panel, qtbot, 50)
+    with qtbot.waitSignal(bridge.event_came, timeout=PATIENCE):
+        bridge.send(MoveEntity(0, 10.0, 10.0))
+    passes(window, panel, qtbot, 50)
+    end = shown(window)
+    bridge.send(GoTo(0))
+    qtbot.waitUntil(lambda: shown(window) == 0, timeout=PATIENCE)
+    assert panel.past.points[-1].tick == end
 
 
 def test_in_a_lesson_nobody_goes_back_and_that_is_said(
