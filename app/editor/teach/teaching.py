@@ -369,6 +369,9 @@ class Teaching(QObject):
     def _mode_changed(self) -> None:
         if not self.is_teaching:
             self.picked = ""
+        selected = self._studio.selection.node
+        if self._studio.mode is Mode.TESTING and self.can_pick_for(selected):
+            self._turn = selected  # also who was only looked at while others were taught
         self.changed.emit()
 
     def _place_changed(self) -> None:

@@ -136,6 +136,16 @@ def test_a_pick_in_a_test_takes_only_that_node_back_and_records_the_correction(h
     hand.wait(lambda: hand.page.buttons["rotate-right"].ring_color == "teach")
 
 
+def test_who_was_selected_during_the_lesson_is_corrected_in_its_test(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.studio.selection.select_nodes(("agent-7",))
+    assert hand.studio.teaching.node == "agent-3"  # who is taught, whatever is looked at
+    hand.test()
+    assert hand.studio.teaching.node == "agent-7"
+    hand.pick("RotateLeft")
+    assert hand.lesson.taught == {"agent-7"}
+
+
 def test_backspace_mends_the_last_transition_of_a_test(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     assert not hand.studio.actions["teach.mend"].isEnabled()
