@@ -155,7 +155,7 @@ WANDERING: tuple[Step, ...] = (
     ),
     Step(
         "Ahead once more",
-        "Press Space, let it turn a little, and pick Forward.",
+        "Let it turn a little (Space goes on), and pick Forward.",
         "pick:Forward",
         _picked("forward"),
     ),
@@ -167,8 +167,8 @@ WANDERING: tuple[Step, ...] = (
     ),
     Step(
         "Watch them",
-        "They walk and turn as you showed. The library says “2 in conflict”: you turned both ways at the same moment, so "
-        "they choose left or right by chance.",
+        "Let time pass (Space): they walk and turn as you showed. If the library says “2 in conflict”, you turned both "
+        "ways at the same moment, and they choose left or right by chance.",
         "canvas",
         _passed(400),
     ),
