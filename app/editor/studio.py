@@ -1,8 +1,6 @@
 """What every part of the window is given: the document, the engine, the selection, the actions, the looks."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from enum import StrEnum
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -19,6 +17,7 @@ from .actions import Actions
 from .behavior_colors import BehaviorColors, Places
 from .bridge import Bridge, MoveMark, PickMark
 from .document import Document
+from .message import Kind, Message
 from .relearning import Relearning
 from .selection import BehaviorKey, Selection
 from .settings import Settings
@@ -29,29 +28,6 @@ from .watching import Watching
 
 #: Of so many selected nodes, the last ones, snapshots show what they are about to decide.
 MOST_WATCHED = 8
-
-
-class Kind(StrEnum):
-    """How urgent a message is."""
-
-    INFO = "info"
-    WARNING = "warning"
-    ERROR = "error"
-
-
-@dataclass(frozen=True, slots=True)
-class Message:
-    """Something that the user should know.
-
-    Attributes:
-        answers: What can be done about it: the text of a button, and what it does.
-        holds: Whether it is still so; it goes away once it is not.
-    """
-
-    text: str
-    kind: Kind = Kind.INFO
-    answers: tuple[tuple[str, Callable[[], object]], ...] = ()
-    holds: Callable[[], bool] = field(default=lambda: True, compare=False)
 
 
 class Studio(QObject):
@@ -99,6 +75,7 @@ class Studio(QObject):
         self.actions = Actions(self)
         self.relearning = Relearning(self.document, settings)
         self.teaching = Teaching(self)
+        self._opening = object()  # stands for the project that is open
         self._undo_ticket = 0
         self._otherwise = self._undo_alone
         self._steps_waiting: list[Callable[[], None]] = []
@@ -148,7 +125,7 @@ class Studio(QObject):
         Args:
             colors: Of its behaviors, as they were when it was saved.
         """
-        self.bridge.close()
+        self._leave()
         self.document.begin(project, scenario, folder, saved=saved)
         self.colors.begin(project, colors or {})
         self.selection.select_nodes(())
@@ -162,13 +139,20 @@ class Studio(QObject):
 
     def close_project(self) -> None:
         """Close the project; the window shows the welcome page."""
-        self.bridge.close()
+        self._leave()
         self.is_open = False
         self.document.begin(_NOTHING, open_scenario(_NOTHING), None)
         self.selection.select_nodes(())
         self.selection.select_behavior(None)
         self.opened.emit()
         self.touch()
+
+    def _leave(self) -> None:
+        """End the session; what was asked of it, or told of its project, counts for no other one."""
+        self.bridge.close()
+        self._opening = object()
+        self._undo_ticket = 0
+        self._steps_waiting.clear()
 
     def shut_down(self) -> None:
         """End all that runs in the background."""
@@ -228,8 +212,6 @@ class Studio(QObject):
 
     def _begin(self) -> None:
         self.bridge.open(self._arm, settings=self._settings)
-        self._undo_ticket = 0
-        self._steps_waiting.clear()
         self._watch()
         self.watching.begin()
 
@@ -330,11 +312,16 @@ class Studio(QObject):
 
     def say(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
         """Tell the user something that is good to know, and what can be done about it."""
-        self.said.emit(Message(text, Kind.INFO, answers))
+        self.said.emit(Message(text, Kind.INFO, answers, self._while_it_is_open()))
 
     def warn(self, text: str, answers: tuple[tuple[str, Callable[[], object]], ...] = ()) -> None:
         """Tell the user that something was not possible, and what can be done about it."""
-        self.said.emit(Message(text, Kind.WARNING, answers))
+        self.said.emit(Message(text, Kind.WARNING, answers, self._while_it_is_open()))
+
+    def _while_it_is_open(self) -> Callable[[], bool]:
+        """Whether the project that is open now, if one is, still is: what is said of it does not hold for another one."""
+        opening, of_none = self._opening, not self.is_open
+        return lambda: of_none or self._opening is opening
 
     def attempt(self, act: Callable[[], object]) -> bool:
         """Do something that may fail for reasons the user can mend, which are then told."""

@@ -13,8 +13,8 @@ from app.core.edits import relabel_examples, weight_examples
 from app.editor.examples.model import Column
 from app.editor.examples.panel import ExamplesPanel
 from app.editor.graph.panel import GraphPanel
+from app.editor.message import Kind
 from app.editor.soon import catch_up
-from app.editor.studio import Kind
 from app.editor.window.main_window import MainWindow
 from tests.gui.canvas.pilot import Pilot
 from tests.gui.teach.hand import CONTROL, SHIFT, Hand

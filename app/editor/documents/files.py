@@ -17,7 +17,7 @@ from ...core.project import Project
 from ...engine.scenarios import open_scenario
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
-from ..studio import Kind, Message
+from ..message import Kind, Message
 from . import autosaves, claims, colors
 from .asking import Answer, Question
 from .autosaves import Autosave
@@ -350,7 +350,10 @@ class Files(QObject):
         self._told = found
         if found:
             text = f"somebody else changed this project's files ({', '.join(found[:3])}{', …' if found[3:] else ''})"
-            self.studio.said.emit(Message(text, Kind.WARNING, (("Reload", self.ask_reload),)))
+            answers = (("Reload", self.ask_reload),)
+            self.studio.said.emit(
+                Message(text, Kind.WARNING, answers, holds=lambda: stamps is self.held.stamps)
+            )
 
     def ask_reload(self) -> None:
         """Open the project again as its folder holds it, after asking if that costs something."""

@@ -14,7 +14,7 @@ from ...core.project import Project
 from ...core.storage import FilesError, load
 from ...engine.scenarios import OWN_CODE, brings_code, open_scenario
 from ...sim.scenario import Scenario
-from ..studio import Kind, Message
+from ..message import Kind, Message
 from . import autosaves, claims
 from .asking import Answer
 from .autosaves import Autosave

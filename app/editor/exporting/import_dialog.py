@@ -39,7 +39,6 @@ from ..forms.parts import Complaint, caption
 from ..letters import plain
 from ..room import resize_within
 from ..selection import BehaviorKey
-from ..studio import Message
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -249,7 +248,7 @@ class ImportDialog(QDialog):
             answers = (("Show its world", partial(self._studio.use_arm, chosen.arm)),)
         if here:
             words += f"; {counted(here, 'behavior')} of the file {'was' if here == 1 else 'were'} here"
-        self._studio.said.emit(Message(words, answers=answers))
+        self._studio.say(words, answers)
 
 
 def _table() -> QTableWidget:

@@ -9,8 +9,8 @@ from ...core.edits import set_parameters
 from ...core.edits.bindings import bindings_of
 from ...core.features import Parameter
 from ...core.naming import shown_state
+from ..message import Kind, Message
 from ..selection import BehaviorKey
-from ..studio import Kind, Message
 
 if TYPE_CHECKING:
     from ..studio import Studio

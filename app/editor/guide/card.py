@@ -22,7 +22,7 @@ from ...engine.commands import StopAt
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..icons import icon
-from ..studio import Message
+from ..message import Message
 from .ring import Ring
 from .scratch import NAME, lacks_wander, scratch_project, with_wander
 from .steps import SECOND, STEPS, Seen, picked_state

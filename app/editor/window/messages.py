@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..icons import icon
 from ..letters import plain
-from ..studio import Kind, Message
+from ..message import Kind, Message
 
 if TYPE_CHECKING:
     from ..studio import Studio

@@ -1,11 +1,13 @@
 """Picks are taken back one by one, whatever happened in between."""
 
 import random
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
 
 from app.core.edits import note_project, set_note
+from app.engine.scenarios import open_scenario
 from app.engine.session import Session
 from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE, said
@@ -255,3 +257,17 @@ def other_arm(hand: Hand, choose: random.Random) -> None:
         hand.studio.use_arm(choose.choice(("independent", "one level")))
     hand.settle()
     hand.studio.teaching.teach()
+
+
+def test_what_was_asked_of_a_session_that_was_closed_holds_up_no_other_project(hand: Hand) -> None:
+    studio, foraging = hand.studio, hand.studio.document.project
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    studio.actions["edit.undo"].trigger()
+    studio.close_project()  # before the session has answered
+    assert not studio.can_redo
+    studio.open(replace(foraging, arms=()), open_scenario(foraging), None)  # in which no session begins
+    studio.document.do(note_project, "another one")
+    hand.wait(studio.actions["edit.undo"].isEnabled)
+    studio.actions["edit.undo"].trigger()
+    assert studio.document.project.note == foraging.note

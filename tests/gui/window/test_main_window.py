@@ -112,6 +112,17 @@ def test_a_message_is_answered_and_dismissed_by_keys_alone(window: MainWindow, q
         assert window.hasFocus()
 
 
+def test_what_can_be_done_about_a_project_is_not_offered_in_another_one(
+    window: MainWindow, foraging: Project, qtbot: QtBot
+) -> None:
+    studio, messages = window.studio, window.messages
+    studio.warn("nobody is there to be taught", (("Use one level", lambda: None),))
+    studio.say("an arm came", (("Show its world", lambda: None),))
+    assert messages.isVisible()
+    studio.open(foraging, open_scenario(foraging), None)
+    qtbot.waitUntil(lambda: not messages.isVisible(), timeout=PATIENCE)
+
+
 def test_a_warning_comes_before_a_question_that_can_wait(window: MainWindow) -> None:
     studio, messages = window.studio, window.messages
     studio.say("a question", (("Yes", lambda: None),))
