@@ -125,6 +125,7 @@ class AgentsPanel(QWidget):
 
     def _connect(self) -> None:
         studio = self._studio
+        studio.opened.connect(self.filter.clear)  # what was looked for elsewhere may be nowhere here
         studio.opened.connect(self.follow)
         studio.document.project_changed.connect(self._soon.ask)
         studio.bridge.place_changed.connect(lambda _: self._began())

@@ -133,6 +133,7 @@ class LibraryPanel(QWidget):
 
     def _opened(self) -> None:
         self._arm = ""
+        self.filter.clear()  # what was looked for in another project may be nowhere in this one
         self.follow()
 
     def _arm_changed(self) -> None:
@@ -154,7 +155,7 @@ class LibraryPanel(QWidget):
         self._arm = name
         taught = any(row.is_automaton for row in self.model.rows)
         self.empty.setVisible(studio.is_open and not taught)
-        if self.isVisible() and studio.is_open:
+        if studio.is_open:
             self.fits.follow(project, studio.document.scenario.vocabulary)
         if self.filter.text():
             self._filtered()
@@ -181,11 +182,6 @@ class LibraryPanel(QWidget):
             if group is not None and (group.type, group.kind) not in known:
                 unfolded = group.current and group.kind is not Kind.DERIVED
                 self.tree.setExpanded(self.shown.mapFromSource(index), unfolded)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Find out how well things fit once somebody looks."""
-        super().showEvent(event)
-        self._soon.ask()
 
     # ---------------------------------------------------------------------------------------- selecting
 

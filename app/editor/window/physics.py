@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ...core.amounts import number
 from ...sim.physics import KINEMATIC, RIGID
 from ..actions import ActionRow
+from ..message import Message
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -65,4 +66,5 @@ def _turn(studio: Studio) -> None:
         return
     studio.use_physics(RIGID)
     words = physics_words(RIGID, studio.document.scenario.bodies, snapshot.place.parameters)
-    studio.say(words, (("Parameters", studio.actions["arm.settings"].trigger),))
+    answers = (("Parameters", studio.actions["arm.settings"].trigger),)
+    studio.said.emit(Message(words, answers=answers, holds=lambda: studio.physics == RIGID))

@@ -4,6 +4,8 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from app.core.storage import load
+from app.editor.agents.panel import AgentsPanel
+from app.editor.library.panel import LibraryPanel
 from app.editor.window.main_window import MainWindow
 from app.editor.window.physics import physics_words
 from app.engine.scenarios import open_scenario
@@ -22,6 +24,24 @@ def test_whoever_takes_rigid_physics_is_told_what_is_different(window: MainWindo
     with qtbot.waitSignal(studio.bridge.place_changed):
         studio.actions["run.rigid"].trigger()
     qtbot.waitUntil(lambda: any("nothing bumps into anything" in label.toolTip() for label in status))
+    qtbot.waitUntil(lambda: not window.messages.isVisible())  # it does not hold any more
+
+
+def test_what_was_said_of_physics_and_looked_for_does_not_go_on_in_another_project(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    studio, panels = window.studio, [window.docks[name].widget() for name in ("library", "agents")]
+    qtbot.waitUntil(studio.actions["run.rigid"].isEnabled)
+    with qtbot.waitSignal(window.messages.shown), qtbot.waitSignal(studio.bridge.place_changed):
+        studio.actions["run.rigid"].trigger()
+    filters = [panel.filter for panel in panels if isinstance(panel, LibraryPanel | AgentsPanel)]
+    assert len(filters) == len(panels)
+    for field in filters:
+        qtbot.keyClicks(field, "no such thing")
+    project = load(FORAGING)
+    studio.open(project, open_scenario(project), None, saved=False)
+    assert not any(field.text() for field in filters)
+    qtbot.waitUntil(lambda: not window.messages.isVisible())
 
 
 def test_another_arm_has_the_physics_that_was_taken(window: MainWindow, qtbot: QtBot) -> None:
