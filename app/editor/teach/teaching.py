@@ -369,6 +369,8 @@ class Teaching(QObject):
     def _mode_changed(self) -> None:
         if not self.is_teaching:
             self.picked = ""
+            if self.choosing.adding is not None:
+                self.choosing.cancel()  # there is no lesson any more in which it could be picked
         selected = self._studio.selection.node
         if self._studio.mode is Mode.TESTING and self.can_pick_for(selected):
             self._turn = selected  # also who was only looked at while others were taught

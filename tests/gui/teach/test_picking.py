@@ -141,6 +141,16 @@ def test_escape_gives_up_a_target_first_and_ends_the_lesson_then(hand: Hand) -> 
     hand.wait(lambda: hand.studio.mode is Mode.RUNNING)
 
 
+def test_no_target_is_asked_for_once_the_lesson_has_ended_with_another_arm(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.page.choose(next(choice for choice in hand.page.choices if choice.name == "Goto"))
+    hand.settle()
+    assert hand.studio.teaching.choosing.is_busy
+    hand.act(lambda: hand.studio.use_arm("one level"))
+    hand.wait(lambda: hand.studio.mode is Mode.RUNNING)
+    assert not hand.studio.teaching.choosing.is_busy
+
+
 def test_a_pick_can_step_on_while_time_stands_still(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     hand.studio.actions["teach.steps_on"].trigger()
