@@ -168,6 +168,7 @@ class Fits(QObject):
         )
         self._ready.connect(self._take)
         self._newest: tuple[Project, Vocabulary] | None = None
+        self._is_closed = False
         self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._soon.timeout.connect(self._ask)
 
@@ -176,8 +177,15 @@ class Fits(QObject):
         known = self._known.get(key)
         return None if known is None else known.fit
 
+    def now(self, key: Key, project: Project) -> Fit | None:
+        """What is known of an automaton as it is in *project*; None while that is being found out."""
+        known = self._known.get(key)
+        return known.fit if known is not None and known.holds(project, key) else None
+
     def follow(self, project: Project, scenario: Vocabulary) -> None:
-        """Find out about all automata of which nothing is known as they are now."""
+        """Find out about all automata of which nothing is known as they are now; nothing any more once it is closed."""
+        if self._is_closed:
+            return
         self._newest = project, scenario
         keys = set(_keys(project))
         for gone in self._known.keys() - keys:
@@ -199,6 +207,7 @@ class Fits(QObject):
 
     def close(self) -> None:
         """End the thread."""
+        self._is_closed = True
         self._soon.stop()
         self._worker.close()
 

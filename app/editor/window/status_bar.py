@@ -27,6 +27,7 @@ class StatusBar(QStatusBar):
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
+        self._fits: Fits | None = None
         self.setSizeGripEnabled(False)
         self.tick = self._label()
         self.rate = self._label()
@@ -53,16 +54,18 @@ class StatusBar(QStatusBar):
 
     def tell_of(self, fits: Fits) -> None:
         """Say how well what was learned of the selected behavior fits its examples, as far as that is known."""
+        self._fits = fits
+        for signal in (fits.changed, self._studio.selection.behavior_changed, self._studio.changed):
+            signal.connect(self._tell_fit)
 
-        def tell(_keys: object = None) -> None:
-            key, document = self._studio.selection.behavior, self._studio.document
-            automaton = None if key is None else document.automaton(key.type, key.id)
-            fit = None if key is None else fits.of((key.type, key.id))
+    def _tell_fit(self, _what: object = None) -> None:
+        key, document = self._studio.selection.behavior, self._studio.document
+        automaton = None if key is None else document.automaton(key.type, key.id)
+        words = ""
+        if key is not None and automaton is not None and self._fits is not None:
+            fit = self._fits.now((key.type, key.id), document.project)
             words = "" if fit is None else fit.brief
-            self.fit.setText(f"{automaton.name} {words}" if automaton is not None and words else "")
-
-        fits.changed.connect(tell)
-        self._studio.selection.behavior_changed.connect(tell)
+        self.fit.setText(f"{automaton.name} {words}" if automaton is not None and words else "")
 
     def _label(self) -> QLabel:
         label = QLabel()

@@ -83,3 +83,17 @@ def test_what_was_undone_meanwhile_is_not_shown(fits: Fits, worked_out: list[Key
     fits.follow(other, vocabulary())
     qtbot.waitUntil(lambda: known(fits, (AGENT, "wander")) != before, timeout=PATIENCE)  # it has been by then
     qtbot.waitUntil(lambda: not known(fits).stale, timeout=PATIENCE)
+
+
+def test_of_a_behavior_as_it_is_now_nothing_is_said_that_held_before(fits: Fits, qtbot: QtBot) -> None:
+    first = taught()
+    fits.follow(first, vocabulary())
+    qtbot.waitUntil(lambda: fits.now(KEY, first) is not None, timeout=PATIENCE)
+    assert fits.now(KEY, rename_automaton(first, *KEY, "Approach")) == known(fits)
+    assert fits.now(KEY, disable_examples(first, *KEY, ["1"])) is None
+
+
+def test_nothing_is_found_out_any_more_once_the_window_is_gone(fits: Fits) -> None:
+    fits.close()
+    fits.follow(taught(), vocabulary())
+    assert not fits._soon.isActive()

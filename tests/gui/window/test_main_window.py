@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from app import __version__
 from app.core.automaton import START
-from app.core.edits import add_automaton, disable_examples, note_project
+from app.core.edits import add_automaton, disable_examples, note_project, rename_automaton
 from app.core.project import Project
 from app.editor.actions import MENUS
 from app.editor.documents.asking import Question
@@ -358,6 +358,20 @@ def test_a_window_that_comes_later_says_tick_and_seed_at_once(
     for part in (bar, tools):
         qtbot.addWidget(part)
     assert (bar.tick.text(), tools.seed.text()) == ("tick 0", "1")
+
+
+def test_how_well_a_behavior_fits_is_said_of_what_it_is_now_also_while_the_library_is_hidden(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    studio, bar = window.studio, window.statusBar()
+    assert isinstance(bar, StatusBar)
+    studio.selection.select_behavior(BehaviorKey("agent", "wander"))
+    qtbot.waitUntil(lambda: bar.fit.text() == "Wander fits 90% of 10 examples", timeout=PATIENCE)
+    window.hide_panel("library")
+    studio.document.do(disable_examples, "agent", "wander", ["1"])
+    qtbot.waitUntil(lambda: bar.fit.text() == "Wander fits 89% of 9 examples", timeout=PATIENCE)
+    studio.document.do(rename_automaton, "agent", "wander", "Roam")
+    qtbot.waitUntil(lambda: bar.fit.text() == "Roam fits 89% of 9 examples", timeout=PATIENCE)
 
 
 def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_saved(
