@@ -5,6 +5,7 @@ Qt reads an ampersand before a letter as its mark, so that one which is meant ha
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 #: Words that say little: their initials come after those of others.
@@ -43,6 +44,11 @@ def marked(text: str, letter: str) -> str:
 def plain(text: str) -> str:
     """*text*, such as a name that somebody gave, as Qt takes it where it looks for marks: nothing is underlined."""
     return text.replace("&", "&&")
+
+
+def unmarked(text: str) -> str:
+    """What a text that Qt has taken says, marks aside."""
+    return re.sub("&(.?)", r"\1", text)
 
 
 def _words(text: str) -> list[str]:

@@ -4,6 +4,8 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QWidgetAction
 
+from ..letters import unmarked
+
 #: A menu of more entries than this is searched rather than read.
 MOST_READ = 24
 #: What the menu does with a key, though the field has it.
@@ -59,16 +61,12 @@ class Finder(QObject):
     def _find(self, text: str) -> None:
         wanted = text.strip().casefold()
         for action in self._entries:
-            action.setVisible(wanted in _words(action))
+            action.setVisible(wanted in unmarked(action.text()).casefold())
         for section in self._sections:
             section.setVisible(not wanted)
         first = next((action for action in self._entries if action.isVisible()), None)
         if wanted and first is not None:
             self._menu.setActiveAction(first)
-
-
-def _words(action: QAction) -> str:
-    return action.text().replace("&", "").casefold()
 
 
 def let_find(menu: QMenu, tip: str, always: QAction) -> None:

@@ -61,6 +61,7 @@ def test_a_long_menu_of_states_is_searched_by_typing(
 ) -> None:
     for number in range(30):
         studio.document.do(add_automaton, blank.type, f"Behavior {number}")
+    studio.document.do(add_automaton, blank.type, "Pick & drop")
     author.settle()
     author.trigger("graph.add_state")
     menu = author.panel.menu
@@ -71,6 +72,12 @@ def test_a_long_menu_of_states_is_searched_by_typing(
     field = menu.findChild(QLineEdit)
     assert isinstance(field, QLineEdit)
     author.qtbot.waitUntil(lambda: menu.focusWidget() is field)
+    author.qtbot.keyClicks(field, "k & d")
+    assert [entry.text() for entry in menu.actions() if entry.isVisible()][1:] == [
+        "Pick && drop",
+        "⚑ another flag…",
+    ]
+    field.clear()
     author.qtbot.keyClicks(field, "behavior 2")
     left = [action.text() for action in menu.actions() if action.isVisible() and action.text()]
     assert left == ["Behavior 2", *(f"Behavior 2{n}" for n in range(10)), "⚑ another flag…"]

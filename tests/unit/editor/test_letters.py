@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.editor.letters import letters_of, marked, plain
+from app.editor.letters import letters_of, marked, plain, unmarked
 
 
 def test_the_first_letter_is_taken_where_no_other_has_it_and_another_initial_where_one_has() -> None:
@@ -46,3 +46,9 @@ def test_a_letter_is_marked_where_a_word_begins_and_ampersands_are_shown(
 
 def test_a_name_is_shown_as_it_is() -> None:
     assert plain("R&D") == "R&&D"
+
+
+@pytest.mark.parametrize("text", ["Save as…", "R&D", "R && D", "&", ""])
+def test_what_qt_has_taken_says_what_was_given(text: str) -> None:
+    assert unmarked(plain(text)) == text
+    assert unmarked(marked(text, "d")) == text
