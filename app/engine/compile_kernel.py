@@ -29,9 +29,8 @@ def main(name: str, module: str, path: str, physics: str, folder: str) -> None:
 
 def _watch_parent(folder: str) -> None:
     """End, and leave nothing behind, once the program that started this one is gone."""
-    while os.read(
-        sys.stdin.fileno(), 1
-    ):  # not sys.stdin: whoever reads holds its lock, also at the end of the program
+    # Not by way of sys.stdin: whoever reads holds its lock, also at the end of the program.
+    while os.read(sys.stdin.fileno(), 1):
         pass
     rmtree(folder, ignore_errors=True)
     os._exit(1)
