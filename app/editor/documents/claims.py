@@ -85,18 +85,8 @@ def claim(folder: Path, owner: Owner) -> Owner | None:
         holder = holder_of(folder)
         if holder is not None and holder.lives and holder.token != owner.token:
             return holder
-        _write(folder, owner)
+        private.write_whole(folder / LOCK, json.dumps(asdict(owner)))
         return None
-
-
-def take_over(folder: Path, owner: Owner) -> None:
-    """Claim a project although somebody else has it."""
-    with _alone_in(folder, make=True):
-        _write(folder, owner)
-
-
-def _write(folder: Path, owner: Owner) -> None:
-    private.write_whole(folder / LOCK, json.dumps(asdict(owner)))
 
 
 @contextmanager

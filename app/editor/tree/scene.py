@@ -63,14 +63,6 @@ class TreeScene(QGraphicsScene):
             self._opened |= below(self._subject.tree, key)
         self.build(self._subject)
 
-    def reveal(self, key: Key) -> None:
-        """Open all that hides a node."""
-        above = [key >> up for up in range(1, key.bit_length())]
-        if any(other not in self.nodes or 2 * other not in self.nodes for other in above):
-            self._opened |= set(above)
-            self._closed -= set(above)
-            self.build(self._subject)
-
     def choose(self, key: Key) -> None:
         """Select a node; 0 selects none."""
         self.chosen = key

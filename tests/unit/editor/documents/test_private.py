@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from app.editor.documents.claims import claim, holder_of, new_owner, release, take_over
+from app.editor.documents.claims import claim, holder_of, new_owner, release
 from app.editor.documents.outside import changes, stamps_of
 from app.editor.documents.private import clear, make, private_folder
 from app.editor.documents.words import clock, whose
@@ -43,13 +43,6 @@ def test_a_lock_that_nobody_can_read_is_taken_over(tmp_path: Path, text: str) ->
     (tmp_path / "lock").write_text(text, encoding="utf-8")
     ours = new_owner()
     assert claim(tmp_path, ours) is None
-    assert holder_of(tmp_path) == ours
-
-
-def test_a_claim_can_be_taken_over(tmp_path: Path) -> None:
-    claim(tmp_path, new_owner())
-    ours = new_owner()
-    take_over(tmp_path, ours)
     assert holder_of(tmp_path) == ours
 
 
