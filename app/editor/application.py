@@ -109,7 +109,7 @@ class RunWindows:
     ) -> None:
         window.take_place()
         self._open.append(window)
-        window.closed.connect(lambda: self._open.remove(window) if window in self._open else None)
+        window.closed.connect(partial(self._closed, window))
         window.show()
 
         def begin() -> None:
@@ -118,6 +118,12 @@ class RunWindows:
             window.studio.bridge.send(GoTo(tick))
 
         QTimer.singleShot(0, window, begin)
+
+    def _closed(self, window: MainWindow) -> None:
+        """Nobody looks at it again, but each change of the theme would style it."""
+        if window in self._open:
+            self._open.remove(window)
+        window.deleteLater()
 
     def close(self) -> None:
         """Close all of them; those that are being built come no more."""

@@ -60,7 +60,11 @@ class Keeping(QObject):
         self._mine: set[str] = set()  # ids that lessons in this window have made
         studio.opened.connect(self._mine.clear)
         studio.bridge.event_came.connect(self._event_came)
-        studio.settings.changed.connect(lambda name: self.changed.emit() if name == FLAG else None)
+        studio.settings.changed.connect(self._setting_changed)
+
+    def _setting_changed(self, name: str) -> None:
+        if name == FLAG:
+            self.changed.emit()
 
     @property
     def on(self) -> bool:

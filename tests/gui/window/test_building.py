@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from app.editor.application import RunWindows
 from app.editor.settings import Settings
@@ -56,7 +59,7 @@ def test_a_run_comes_in_a_window_of_its_own(window: MainWindow, qapp: QApplicati
     (other,) = others(window)
     qtbot.waitUntil(lambda: other.studio.snapshot is not None and other.studio.snapshot.tick == 5)
     windows.close()
-    qtbot.waitUntil(lambda: not other.isVisible())
+    qtbot.waitUntil(lambda: not others(window))
 
 
 def test_who_closes_before_a_window_is_there_sees_none(
@@ -68,3 +71,23 @@ def test_who_closes_before_a_window_is_there_sees_none(
     have_done_what_is_due()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert not others(window)
+
+
+def is_gone(window: MainWindow) -> bool:
+    return not isValid(window)
+
+
+def test_windows_of_runs_that_were_closed_are_gone(
+    window: MainWindow, qapp: QApplication, settings: Settings, qtbot: QtBot
+) -> None:
+    windows = RunWindows(qapp, window)
+    for _ in range(2):
+        want_a_run(window)
+        qtbot.waitUntil(lambda: bool(others(window)))
+        (other,) = others(window)
+        other.close()
+        qtbot.waitUntil(partial(is_gone, other))
+        settings.theme = ThemeMode.LIGHT if settings.theme is ThemeMode.DARK else ThemeMode.DARK
+        have_done_what_is_due()
+    assert not [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow) and w is not window]
+    windows.close()
