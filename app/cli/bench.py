@@ -64,8 +64,9 @@ def _is_named(one: Measure, word: str) -> bool:
 
 
 def _program() -> Program:
+    """As a user starts it: from the second start on, Python has kept the bytecode, unless it was told not to."""
     paths = [str(ROOT.parent), *filter(None, [os.environ.get("PYTHONPATH")])]
-    return Program(COMMAND, {"PYTHONPATH": os.pathsep.join(paths)})
+    return Program(COMMAND, {"PYTHONPATH": os.pathsep.join(paths), "PYTHONDONTWRITEBYTECODE": ""})
 
 
 def take(chosen: Sequence[Measure], of: Subject) -> tuple[list[Figure], bool]:
