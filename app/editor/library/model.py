@@ -127,8 +127,8 @@ class LibraryModel(QAbstractItemModel):
 
     def _fits_changed(self, keys: Iterable[Key]) -> None:
         for key in keys:
-            index = self.find(RowKey(*key))
-            if index.isValid():
+            row = self.row(index := self.find(RowKey(*key)))
+            if row is not None and self.fit(row) is not None:  # otherwise its row says nothing of it
                 self._told(index)
 
     def _told(self, index: QModelIndex) -> None:
