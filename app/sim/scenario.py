@@ -100,12 +100,9 @@ Fast: ``heading_cos(world, entity)`` and ``heading_sin``, remembered until the e
 `app.sim.portable` finds most of this by reading, `app.sim.trial` the rest of what is promised here by trying.
 '''
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import Field, replace
-from inspect import signature
 from math import pi
-from types import FunctionType
 from typing import Any, TypeVar
 
 from ..core.chance import THE_WORLD, uniform
@@ -132,6 +129,7 @@ from .columns import (
     refuse_bad_kinds,
     refuse_bad_measures,
 )
+from .declaring import blaming, promise, refuse_bad_function, refuse_twice
 from .failure import failed
 from .geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
 from .look import Look, refuse_bad_look
@@ -212,7 +210,7 @@ class Scenario:
         self._features: dict[str, Feature] = {}
         self._behaviors: dict[str, BasicBehavior] = {}
         self._targets: dict[str, Target] = {}
-        with _blaming(name):
+        with blaming(name):
             self._fields = parameter_fields(parameters)
             refuse_bad_kinds(kinds, self._fields)
             refuse_bad_columns(columns, kinds)
@@ -261,11 +259,11 @@ class Scenario:
     def _feature(self, feature: Feature, arguments: int) -> Callable[[Function], Function]:
         def declare(function: Function) -> Function:
             what = f"feature {feature.name!r}"
-            with _blaming(self.name):
-                _refuse_twice(what, feature.parameters)
+            with blaming(self.name):
+                refuse_twice(what, feature.parameters)
                 refuse_bad_feature(feature)
             self._add(what, feature.name, self.features, function, arguments)
-            self._features[feature.name] = replace(feature, doc=_doc(function))
+            self._features[feature.name] = replace(feature, doc=promise(function))
             return function
 
         return declare
@@ -282,10 +280,10 @@ class Scenario:
         """Declare a basic behavior: ``function(world, me, *targets)``; it writes only the agent's own entries."""
 
         def declare(function: Function) -> Function:
-            with _blaming(self.name):
-                _refuse_twice(f"behavior {name!r}", parameters)
+            with blaming(self.name):
+                refuse_twice(f"behavior {name!r}", parameters)
             self._add(f"behavior {name!r}", name, self.behaviors, function, 2 + len(parameters))
-            doc = _doc(function)
+            doc = promise(function)
             self._behaviors[name] = BasicBehavior(name, parameters, one_shot, raises, finishes, doc=doc)
             return function
 
@@ -300,7 +298,7 @@ class Scenario:
 
         def declare(function: Function) -> Function:
             self._add(f"target {name!r}", name, self.targets, function, 4)
-            self._targets[name] = Target(name, level, _doc(function))
+            self._targets[name] = Target(name, level, promise(function))
             return function
 
         return declare
@@ -327,20 +325,20 @@ class Scenario:
 
     def check(self, function: Function) -> Function:
         """Declare a rule across parameters: ``function(parameters)`` says what is wrong, or nothing."""
-        with _blaming(self.name):
-            _refuse_bad_function("check", function, 1)
+        with blaming(self.name):
+            refuse_bad_function("check", function, 1)
         self.checks.append(function)
         return function
 
     def _add(
         self, what: str, name: str, table: dict[str, Any], function: Function, arguments: int
     ) -> Function:
-        with _blaming(self.name):
+        with blaming(self.name):
             if not name.strip():
                 raise ScenarioError(f"a name is missing: {what}")
             if name in table:
                 raise ScenarioError(f"{what} is declared twice")
-            _refuse_bad_function(what, function, arguments)
+            refuse_bad_function(what, function, arguments)
         table[name] = function
         return function
 
@@ -378,36 +376,3 @@ class Scenario:
             raise failed(self.name, "check", check, error) from error
         if wrong:
             raise ParameterError(wrong)
-
-
-@contextmanager
-def _blaming(scenario: str) -> Iterator[None]:
-    """Say in which scenario a declaration went wrong."""
-    try:
-        yield
-    except ScenarioError as error:
-        raise ScenarioError(f"scenario {scenario!r}: {error}") from error
-
-
-def _doc(function: Callable[..., Any]) -> str:
-    return (function.__doc__ or "").strip().split("\n")[0]
-
-
-def _refuse_bad_function(what: str, function: Callable[..., Any], arguments: int) -> None:
-    if not isinstance(function, FunctionType) or function.__name__ == "<lambda>":
-        raise ScenarioError(f"{what} has to be a plain function, not {function!r}")
-    try:
-        signature(function).bind(*[None] * arguments)
-    except TypeError:
-        found = ", ".join(signature(function).parameters) or "none"
-        raise ScenarioError(
-            f"{what} is called with {arguments} arguments, but {function.__name__} takes: {found}"
-        ) from None
-
-
-def _refuse_twice(what: str, parameters: Iterable[str]) -> None:
-    seen: set[str] = set()
-    for parameter in parameters:
-        if parameter in seen:
-            raise ScenarioError(f"{what} names the parameter {parameter!r} twice")
-        seen.add(parameter)
