@@ -1,54 +1,18 @@
-"""What is wrong with types, arms, demonstrations and examples; and refusing to run."""
+"""What is wrong with types and arms; names of files, and how much work a check is."""
 
-import re
 from dataclasses import replace
 
 import pytest
 
-from app.core import edits
-from app.core.automaton import START
-from app.core.check import (
-    PROJECT_FILE,
-    Problem,
-    automaton_file,
-    check,
-    demonstration_file,
-    examples_file,
-    refuse,
-)
-from app.core.errors import (
-    BindingError,
-    EditError,
-    ExampleError,
-    HierarchyError,
-    LibraryError,
-    UnderstudyError,
-)
-from app.core.examples import Example
-from app.core.features import Ground, TicksInState
+from app.core.check import PROJECT_FILE, Problem, automaton_file, check, demonstration_file, examples_file
+from app.core.features import Ground
 from app.core.hierarchy import Hierarchy, Node
 from app.core.library import Library, NodeType
-from app.core.project import Arm, Demonstration, LevelTable, Pick, Project
+from app.core.project import Arm, LevelTable
 from app.core.storage import layout, migrations
-from tests.samples import AGENT, GROUP, SQUAD, automaton, nested, project, state, vocabulary
+from tests.samples import AGENT, GROUP, SQUAD, nested, project, state, vocabulary
+from tests.unit.core.problems import AGENTS, armed, errors, only, typed
 from tests.work import calls
-
-
-def errors(changed: Project) -> list[Problem]:
-    return [problem for problem in check(changed, vocabulary()) if problem.severity == "error"]
-
-
-def only(changed: Project, severity: str = "error") -> Problem:
-    found = [problem for problem in check(changed, vocabulary()) if problem.severity == severity]
-    assert len(found) == 1, [str(problem) for problem in found]
-    return found[0]
-
-
-# --------------------------------------------------------------------------------------------- types
-
-
-def typed(*types: NodeType) -> Project:
-    return replace(project(), types=types, arms=(), demonstrations=(), libraries={}, examples={})
 
 
 def test_a_project_has_types_with_different_names() -> None:
@@ -99,16 +63,6 @@ def test_libraries_and_examples_belong_to_types() -> None:
         ("libraries/robot", "there is no node type 'robot'"),
         ("examples/robots", "there is no node type 'robots'"),
     }
-
-
-# ---------------------------------------------------------------------------------------------- arms
-
-
-def armed(arm: Arm) -> Project:
-    return replace(project(), arms=(*project().arms, arm))
-
-
-AGENTS = LevelTable((3,), (AGENT,))
 
 
 def test_an_arm_starts_with_a_behavior_of_its_roots() -> None:
@@ -165,248 +119,6 @@ def test_a_node_that_is_written_out_is_named() -> None:
     assert problem.where == "arms[3].hierarchy, node 'x'"
 
 
-# ------------------------------------------------------------------------------------ demonstrations
-
-
-def shown(**fields: object) -> Project:
-    demonstration = replace(project().demonstrations[0], **fields)  # type: ignore[arg-type]
-    return replace(project(), demonstrations=(demonstration,))
-
-
-@pytest.mark.parametrize(
-    ("fields", "where", "message"),
-    [
-        ({"type": "robot"}, "type", "there is no node type 'robot'"),
-        (
-            {"automaton": "gogo"},
-            "automaton",
-            "'agent' has no behavior with the id 'gogo'; did you mean 'goto'?",
-        ),
-        (
-            {"arm": "alone"},
-            "arm",
-            "there is no arm 'alone'; there are: 'independent', 'one level', 'two levels'",
-        ),
-        ({"others": "sleep"}, "others", "the others can 'idle' or 'run', but not 'sleep'"),
-        ({"arguments": {}}, "arguments", "'target' of goto is open while it is taught"),
-        (
-            {"arguments": {"target": "deposit", "x": "deposit"}},
-            "arguments.x",
-            "goto has no parameter 'x'; it has: 'target'",
-        ),
-        (
-            {"arguments": {"target": "closest-attached-agent"}},
-            "arguments.target",
-            "'agent' cannot bind the target",
-        ),
-        (
-            {"picks": (Pick(0, "agent-9", "left"),)},
-            "picks[0].node",
-            "has no node 'agent-9'; nodes of type 'agent' are: 'agent-1'",
-        ),
-        ({"picks": (Pick(0, "", "left"),)}, "picks[0].node", "has no node ''"),
-        (
-            {"picks": (Pick(0, "agent-1", "gone"),)},
-            "picks[0].state",
-            "goto has no state 'gone'; did you mean 'done'?",
-        ),
-        (
-            {"picks": (Pick(0, "agent-1", "", "jump"),)},
-            "picks[0].act",
-            "'jump' is nothing that a hand can do",
-        ),
-        (
-            {"picks": (Pick(0, "", act="move", entity=3),)},
-            "picks[0].act",
-            "a move needs the entity that is moved, and x and y",
-        ),
-        (
-            {"picks": (Pick(9, "agent-1", "left"), Pick(8, "agent-1", "left"))},
-            "picks[1].tick",
-            "but 8 comes after 9",
-        ),
-        (
-            {"picks": (Pick(301, "agent-1", "left"),)},
-            "picks[0].tick",
-            "goes on for 300 ticks, but a pick is at tick 301",
-        ),
-        ({"picks": (Pick(-1, "agent-1", "left"),)}, "picks[0].tick", "a pick is at tick -1"),
-        (
-            {"picks": (Pick(0, "group-1", "left"),), "arm": "one level"},
-            "picks[0].node",
-            "'group-1' is of type 'group', but 'agent' is taught",
-        ),
-    ],
-)
-def test_a_demonstration_can_be_played(fields: dict[str, object], where: str, message: str) -> None:
-    found = [p for p in errors(shown(**fields)) if p.where == where]
-    assert [p.file for p in found] == ["demonstrations/goto-1.json"] * len(found)
-    assert message in found[0].message
-
-
-def test_acts_without_a_node_or_state_are_fine() -> None:
-    acts = (
-        Pick(0, "agent-1", "left"),
-        Pick(0, "", "", "undo"),
-        Pick(5, "", "", "test"),
-        Pick(9, "agent-1", "", "should not have left"),
-    )
-    assert errors(shown(picks=acts)) == []
-
-
-def test_demonstrations_have_different_ids_and_broken_arms_do_not_stop_the_check() -> None:
-    twice = replace(project(), demonstrations=project().demonstrations * 2)
-    assert only(twice).message == "the demonstration 'goto-1' stands twice"
-    broken = edits.set_hierarchy(project(), "independent", LevelTable((), ()))
-    assert any(p.where == "arms[0].hierarchy" for p in errors(broken))
-
-
-# ------------------------------------------------------------------------------------------ examples
-
-
-def with_example(**fields: object) -> Project:
-    first, *others = project().examples_of(AGENT, "goto")
-    return replace(project(), examples={AGENT: {"goto": (replace(first, **fields), *others)}})  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf")])
-def test_values_of_examples_are_finite(value: float) -> None:
-    broken = with_example(values={"distance": value, "direction": 0.0})
-    problem = only(broken)
-    assert (problem.file, problem.where) == ("examples/agent/goto.json", "examples[0].values.distance")
-    assert (
-        f"example '1' of goto: feature 'distance' is {value}; it must be a finite number" in problem.message
-    )
-    assert problem.fix == "disable the example"
-    assert problem.mend is not None
-    assert check(problem.mend(broken), vocabulary()) == ()
-
-
-@pytest.mark.parametrize("weight", [0.0, -1.0, float("nan")])
-def test_weights_of_examples_are_above_0(weight: float) -> None:
-    assert only(with_example(weight=weight)).where == "examples[0].weight"
-
-
-def test_an_example_of_a_state_that_is_gone_is_pointed_out_unless_it_is_disabled() -> None:
-    problem = only(with_example(label="gone"), "warning")
-    assert "state 'gone' does not exist, so nothing is learned from this" in problem.message
-    assert check(with_example(label="gone", enabled=False), vocabulary()) == ()
-
-
-def test_nothing_is_learned_to_start_or_from_a_state_that_raises_a_flag() -> None:
-    assert only(with_example(label=START)).where == "examples[0].label"
-    assert only(with_example(source="done")).where == "examples[0].source"
-
-
-def test_examples_without_a_value_are_counted_with_those_whose_moment_is_stored() -> None:
-    changed, _ = edits.add_feature(project(), AGENT, "goto", TicksInState(), "ticks")
-    first, *others = changed.examples_of(AGENT, "goto")
-    changed = replace(changed, examples={AGENT: {"goto": (replace(first, snapshot=""), *others)}})
-    problem = only(changed, "warning")
-    assert problem.where == "examples"
-    assert problem.message == (
-        "5 of 5 examples of goto have no value of feature 'ticks', so nothing is learned from them; it can be measured "
-        "in the stored moments of 4 of them"
-    )
-
-
-def test_what_was_taught_to_choose_but_looks_at_nothing_is_told() -> None:
-    blind = replace(automaton("blind", state("go", "Forward"), state("turn", "Turn")), features=())
-
-    def warned(*pairs: tuple[str, str]) -> list[str]:
-        examples = tuple(Example(str(n), source, label, {}) for n, (source, label) in enumerate(pairs))
-        libraries = {AGENT: Library({"blind": blind})}
-        changed = typed(NodeType(AGENT))
-        changed = replace(changed, libraries=libraries, examples={AGENT: {"blind": examples}})
-        return [p.message for p in check(changed, vocabulary()) if "looks at nothing" in p.message]
-
-    assert not warned((START, "go"), ("go", "go"))
-    (message,) = warned((START, "go"), ("go", "go"), ("go", "turn"))
-    assert message.startswith("blind looks at nothing, so chance decides in go: go or turn;")
-
-
-def test_examples_belong_to_a_behavior() -> None:
-    stray = replace(project(), examples={AGENT: {"gogo": (Example("1", START, "x", {}),)}})
-    problem = only(stray)
-    assert (problem.file, problem.where) == ("examples/agent/gogo.json", "automaton")
-    assert "'agent' has no behavior with the id 'gogo'; did you mean 'goto'?" in problem.message
-
-
-# -------------------------------------------------------------------------------------------- refuse
-
-
-def broken() -> Project:
-    """The sample with an open binding in a behavior that only the first arm runs, and a second arm without its top."""
-    opened = edits.bind_state(project(), AGENT, "forage", "approach", "target", None)
-    return edits.add_arm(opened, Arm("nothing", AGENTS, "gone"))
-
-
-def test_a_sound_project_is_not_refused() -> None:
-    refuse(project(), vocabulary())
-    warned = edits.add_automaton(project(), AGENT, "new")[0]
-    assert check(warned, vocabulary())
-    refuse(warned, vocabulary())
-
-
-def test_one_error_is_raised_as_what_it_is() -> None:
-    opened = edits.bind_state(project(), AGENT, "forage", "approach", "target", None)
-    with pytest.raises(
-        BindingError, match=r"libraries/agent/forage\.json: states\[2\].*'target' of goto is open"
-    ):
-        refuse(opened, vocabulary())
-    with pytest.raises(LibraryError):
-        refuse(armed(Arm("a", AGENTS, "gone")), vocabulary())
-    with pytest.raises(HierarchyError):
-        refuse(armed(Arm("a", LevelTable((0,), (AGENT,)), "forage")), vocabulary())
-    with pytest.raises(ExampleError):
-        refuse(with_example(weight=-1.0), vocabulary())
-
-
-def test_several_errors_are_listed_together() -> None:
-    with pytest.raises(UnderstudyError, match=re.compile("2 problems .*arms.3..top.*forage.json", re.DOTALL)):
-        refuse(broken(), vocabulary())
-
-
-def test_an_arm_is_refused_only_for_what_concerns_it() -> None:
-    with pytest.raises(BindingError):
-        refuse(broken(), vocabulary(), arm="independent")
-    with pytest.raises(LibraryError, match="'gone'"):
-        refuse(broken(), vocabulary(), arm="nothing")
-    with pytest.raises(BindingError):  # its agents forage too, since their controllers direct them to
-        refuse(broken(), vocabulary(), arm="two levels")
-    wandering = edits.add_arm(broken(), Arm("w", AGENTS, "wander"))
-    refuse(wandering, vocabulary(), arm="w")
-    with pytest.raises(BindingError):
-        refuse(wandering, vocabulary(), arm="w", taught=[(AGENT, "forage")])
-    with pytest.raises(EditError, match="there is no arm 'x'"):
-        refuse(project(), vocabulary(), arm="x")
-
-
-def test_examples_and_demonstrations_do_not_keep_an_arm_from_running() -> None:
-    changed = replace(
-        with_example(weight=-1.0), demonstrations=(Demonstration("d", "x", "x", "x", 1, (), 1),)
-    )
-    refuse(changed, vocabulary(), arm="independent")
-    with pytest.raises(UnderstudyError):
-        refuse(changed, vocabulary())
-
-
-def test_a_cycle_that_an_arm_would_run_into_refuses_it() -> None:
-    looped = edits.add_automaton(project(), AGENT, "loop")[0]
-    library = {**looped.library(AGENT).automata, "loop": automaton("loop", nested("again", "loop"))}
-    looped = replace(looped, libraries={**looped.libraries, AGENT: Library(library)})
-    refuse(looped, vocabulary(), arm="independent")
-    looped = edits.add_arm(looped, Arm("l", AGENTS, "loop"))
-    with pytest.raises(LibraryError, match="recursion is not permitted, but loop holds loop"):
-        refuse(looped, vocabulary(), arm="l")
-
-
-def test_many_errors_are_counted() -> None:
-    arms = tuple(Arm(f"a{n}", AGENTS, "gone") for n in range(30))
-    with pytest.raises(LibraryError, match="and 10 more; `understudy check` lists all"):
-        refuse(replace(project(), arms=arms, demonstrations=()), vocabulary())
-
-
 def test_files_are_named_as_storage_names_them() -> None:
     for path, stored in (
         (PROJECT_FILE, migrations.PROJECT_FILE),
@@ -416,8 +128,6 @@ def test_files_are_named_as_storage_names_them() -> None:
     ):
         assert path == stored
 
-
-# --------------------------------------------------------------------------------------------- speed
 
 #: Of functions in Python, for a project as large as any that is in use.
 MOST_CALLS = 200_000
