@@ -21,3 +21,8 @@ def files(folder: Path) -> dict[str, bytes]:
 def changed(project: Project, automaton: Automaton) -> Project:
     automata = {**project.library(AGENT).automata, automaton.id: automaton}
     return replace(project, libraries={**project.libraries, AGENT: Library(automata)})
+
+
+def without(project: Project, automaton_id: str) -> Project:
+    automata = {key: a for key, a in project.library(AGENT).automata.items() if key != automaton_id}
+    return replace(project, libraries={**project.libraries, AGENT: Library(automata)})
