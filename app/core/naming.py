@@ -1,4 +1,4 @@
-"""Readable ids, free names, and what a state is called."""
+"""Readable ids, free names, names in order and in small letters, and what a state is called."""
 
 import re
 import unicodedata
@@ -44,6 +44,11 @@ def natural(name: str) -> tuple[tuple[str, int], ...]:
     """What to sort names by, so that ``Goto 2`` stands before ``Goto 10``."""
     parts = re.findall(r"([^0-9]*)([0-9]*)", name.casefold())
     return tuple((letters, int(digits or -1)) for letters, digits in parts)
+
+
+def lowered(text: str) -> str:
+    """*text* in lower case, sign by sign, so that places in one are places in the other: "İ" alone would become two."""
+    return "".join(small if len(small := sign.lower()) == 1 else sign for sign in text)
 
 
 def next_number(ids: Iterable[str]) -> int:

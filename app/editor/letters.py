@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from ..core.naming import lowered
+
 #: Words that say little: their initials come after those of others.
 _SMALL = frozenset(
     {"a", "an", "and", "as", "in", "into", "of", "or", "out", "over", "the", "to", "what", "with"}
@@ -52,7 +54,7 @@ def unmarked(text: str) -> str:
 
 
 def _words(text: str) -> list[str]:
-    return [word for word in text.lower().split() if _is_letter(word[0])]
+    return [word for word in lowered(text).split() if _is_letter(word[0])]
 
 
 def _is_letter(sign: str) -> bool:
@@ -69,7 +71,7 @@ def _initials(text: str) -> list[str]:
 
 
 def _all(text: str) -> list[str]:
-    letters = [*_initials(text), *(sign for sign in text.lower() if _is_letter(sign))]
+    letters = [*_initials(text), *(sign for sign in lowered(text) if _is_letter(sign))]
     return list(dict.fromkeys(letters))
 
 
@@ -86,6 +88,6 @@ def _find(at: int, texts: Sequence[str], holders: dict[str, int], asked: set[str
 
 
 def _place(text: str, letter: str) -> int:
-    lower = text.lower()
-    starts = [at for at, sign in enumerate(lower) if sign == letter and (at == 0 or lower[at - 1] == " ")]
-    return starts[0] if starts else lower.find(letter)
+    low = lowered(text)
+    starts = [at for at, sign in enumerate(low) if sign == letter and (at == 0 or low[at - 1] == " ")]
+    return starts[0] if starts else low.find(letter)

@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
+from ...core.naming import lowered
+
 #: What one letter is worth where it begins a word or follows the letter before it; a gap costs a little.
 BEGINS, FOLLOWS, GAP = 12, 8, 1
 
@@ -24,7 +26,7 @@ def places(letters: str, text: str) -> tuple[int, ...]:
 
     A whole run of letters is preferred, then beginnings of words, then what comes first.
     """
-    low, wanted = text.lower(), letters.lower()
+    low, wanted = lowered(text), lowered(letters)
     if not wanted:
         return ()
     at = low.find(wanted)
@@ -76,7 +78,7 @@ def _inside_word(text: str, at: int) -> bool:
 def _by_beginnings(wanted: str, text: str) -> tuple[int, ...]:
     """Where each letter begins a word or follows the one before, found greedily; empty if that does not work out."""
     found: list[int] = []
-    at, low = 0, text.lower()
+    at, low = 0, lowered(text)
     for letter in wanted:
         if found and at < len(low) and low[at] == letter:
             here = at

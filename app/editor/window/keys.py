@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QKeyCombination, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -54,6 +54,7 @@ class OwnKeys(QObject):
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
+        self._window = window
         window.installEventFilter(self)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
@@ -65,7 +66,7 @@ class OwnKeys(QObject):
             return _presses(event, focus) or _leaves(event, focus)
         if event.type() is not QEvent.Type.ShortcutOverride:
             return False
-        if _commands(event):
+        if _commands(event, self._window):
             finish_typing()
         catch_up()
         if belongs(event, QApplication.focusWidget()):
@@ -85,9 +86,24 @@ def finish_typing() -> None:
         field.setFocus(Qt.FocusReason.OtherFocusReason)
 
 
-def _commands(event: QKeyEvent) -> bool:
+def _commands(event: QKeyEvent, window: QWidget) -> bool:
     """Whether a key that the focus did not want for itself is one of those with which commands are given."""
-    return bool(event.modifiers() & _COMMANDING) and event.key() not in _BY_THEMSELVES
+    if event.key() in _BY_THEMSELVES or belongs(event, QApplication.focusWidget()):
+        return False
+    return bool(event.modifiers() & _COMMANDING) or _is_shortcut(event, window)
+
+
+def _is_shortcut(event: QKeyEvent, window: QWidget) -> bool:
+    """Whether some action of a window has this key, or of the one that it floats above."""
+    pressed = QKeySequence(
+        QKeyCombination(event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier, Qt.Key(event.key()))
+    )
+    above: QWidget | None = window
+    while above is not None:
+        if any(pressed in action.shortcuts() for action in above.actions()):
+            return True
+        above = above.parentWidget()
+    return False
 
 
 def _presses(event: QKeyEvent, focus: QWidget | None) -> bool:

@@ -49,6 +49,25 @@ def test_a_note_counts_before_what_a_shortcut_does(window: MainWindow, note: QLi
     assert window.studio.actions["file.save"].isEnabled()
 
 
+@pytest.mark.parametrize(
+    ("keys", "key", "modifiers"),
+    [
+        ("F9", Qt.Key.Key_F9, Qt.KeyboardModifier.NoModifier),
+        ("Meta+J", Qt.Key.Key_J, Qt.KeyboardModifier.MetaModifier),
+    ],
+)
+def test_a_note_counts_before_what_ones_own_keys_do(
+    window: MainWindow, note: QLineEdit, qtbot: QtBot, keys: str, key: Qt.Key, modifiers: Qt.KeyboardModifier
+) -> None:
+    seen: list[str] = []
+    window.studio.settings.set_key("run.step", keys)
+    window.studio.actions["run.step"].triggered.connect(lambda: seen.append(noted(window)))
+    qtbot.keyClicks(note, "look for boxes")
+    assert noted(window) == ""
+    qtbot.keyClick(note, key, modifiers)
+    assert seen == ["look for boxes"]
+
+
 def test_a_note_counts_when_the_window_is_closed(window: MainWindow, note: QLineEdit, qtbot: QtBot) -> None:
     qtbot.keyClicks(note, "look for boxes")
     window.close()

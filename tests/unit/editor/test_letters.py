@@ -25,7 +25,7 @@ def test_who_has_no_other_letter_gets_that_of_one_who_has() -> None:
 
 
 def test_a_text_without_a_letter_that_keyboards_have_gets_none() -> None:
-    assert letters_of(["⚑", "…", ""]) == ("", "", "")
+    assert letters_of(["⚑", "…", "İ", ""]) == ("", "", "", "")
 
 
 @pytest.mark.parametrize(
@@ -36,6 +36,8 @@ def test_a_text_without_a_letter_that_keyboards_have_gets_none() -> None:
         ("R&D", "d", "R&&&D"),
         ("R&D", "", "R&&D"),
         ("Undo: Rename a to b", "q", "Undo: Rename a to b"),
+        ("İz of box", "b", "İz of &box"),
+        ("İzmir", "m", "İz&mir"),
     ],
 )
 def test_a_letter_is_marked_where_a_word_begins_and_ampersands_are_shown(

@@ -14,6 +14,9 @@ from app.editor.command_palette.matching import matching, places, score
         ("BOX", "grab box", (5, 6, 7)),
         ("xyz", "ReturnWithBox", ()),
         ("", "anything", ()),
+        ("x", "İx", (1,)),
+        ("go", "İİ goto", (3, 4)),
+        ("it", "İts", ()),
     ],
 )
 def test_letters_are_found_where_words_begin(letters: str, text: str, found: tuple[int, ...]) -> None:
