@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -158,7 +158,7 @@ class Banner(QFrame):
 
 
 class Card(QLabel):
-    """Who is under the mouse, what it does, and what it sees."""
+    """Who is under the mouse, what it does, and what it sees; above whatever else lies over the canvas."""
 
     def __init__(self, studio: Studio, parent: QWidget) -> None:
         super().__init__(parent)
@@ -186,7 +186,10 @@ class Card(QLabel):
         room = self._room.rect()
         left = x + 18 if x + 18 + self.width() < room.width() - 4 else x - 14 - self.width()
         top = min(max(y - self.height() / 2, 4.0), room.height() - self.height() - 4.0)
-        self.move(int(max(left, 4.0)), int(top))
+        over = self._room.parentWidget() or self._room
+        if self.parentWidget() is not over:  # the canvas has found its place only after it was made
+            self.setParent(over)
+        self.move(self._room.mapTo(over, QPoint(int(max(left, 4.0)), int(top))))
         self.show()
         self.raise_()
 

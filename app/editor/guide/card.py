@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -23,6 +23,7 @@ from ...sim.scenario import Scenario
 from ..actions import ActionRow
 from ..icons import icon
 from ..message import Message
+from .corners import AWAY, corners, lies_upon
 from .ring import Ring
 from .scratch import NAME, lacks_wander, scratch_project, with_wander
 from .steps import SECOND, STEPS, Seen, picked_state
@@ -31,7 +32,11 @@ if TYPE_CHECKING:
     from ...engine.snapshots import Snapshot
     from ..window.main_window import MainWindow
 
-WIDTH, AWAY = 330, 16
+WIDTH = 330
+#: What the button that goes on says, and its tip.
+SKIP = "Skip", "Go on without doing this"
+NEXT = "Next", "Go on; time passes as before"
+CLOSE = "Close", "The lesson is over; Help, Guided first lesson begins it again"
 #: The flag among the settings that the lesson was offered.
 OFFERED = "lesson_offered"
 
@@ -54,6 +59,7 @@ class Guide(QFrame):
         self._wanted: int | None = None
         self._picked, self._from_tick = "", 0
         self._stopped = False  # at the moment that the step is about
+        self._is_above = False  # in the upper corner
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
         self.ring = Ring(window, self._studio.theme)
@@ -63,7 +69,10 @@ class Guide(QFrame):
         self._build()
         over.installEventFilter(self)
         window.canvas.on_top.legend.resized.connect(self._place)
+        window.canvas.looking.changed.connect(self._keep_clear)
         studio = self._studio
+        studio.selection.nodes_changed.connect(self._keep_clear)
+        studio.bridge.snapshot_changed.connect(self._keep_clear)
         studio.bridge.event_came.connect(self._event_came)
         for signal in (
             studio.bridge.snapshot_changed,
@@ -91,7 +100,6 @@ class Guide(QFrame):
         self.close_button.clicked.connect(self.leave)
         self.back.setToolTip("Show the step before")
         self.back.clicked.connect(lambda: self._go(self.step - 1))
-        self.skip.setToolTip("Go on without doing this")
         self.skip.clicked.connect(self._skip)
         for button in (self.close_button, self.back, self.skip):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # keys stay with the window after a click
@@ -189,12 +197,15 @@ class Guide(QFrame):
         self.title.setText(now.title)
         self.words.setText(now.text)
         self.progress.setText(f"Step {self.step + 1} of {len(STEPS)}")
-        self.skip.setVisible(True)
+        self._offer_to_go_on(*(NEXT if now.is_watched else SKIP))
         self.ring.point_at(now.points_at)
         self._place()
 
     def _skip(self) -> None:
         """Go on; the second half gets what it needs of a first one that was not done."""
+        if self.step == len(STEPS):
+            self.leave()
+            return
         self._go(self.step + 1)
         if self.step == SECOND and lacks_wander(self._studio.document.project):
             self._window.files.background.do(
@@ -211,12 +222,17 @@ class Guide(QFrame):
         self.title.setText("That is all it takes")
         self.words.setText(
             "You taught two behaviors and used one in the other. Save this project (Ctrl+S) to go on with it, or open "
-            "the foraging project, where groups of agents have controllers that were taught the same way."
+            "the foraging project (Open recent in the menu File), where groups of agents have controllers that were "
+            "taught the same way."
         )
         self.progress.setText("Done")
-        self.skip.setVisible(False)
+        self._offer_to_go_on(*CLOSE)
         self.ring.point_at("")
         self._place()
+
+    def _offer_to_go_on(self, words: str, tip: str) -> None:
+        self.skip.setText(words)
+        self.skip.setToolTip(tip)
 
     def _event_came(self, event: object) -> None:
         picked = picked_state(event)
@@ -254,18 +270,33 @@ class Guide(QFrame):
     # ------------------------------------------------------------------------------------------------ looks
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay in the corner of the canvas, above the legend where that reaches there."""
+        """Stay in a corner of the canvas."""
         if watched is self._over and event.type() == QEvent.Type.Resize:
             self._place()
         return super().eventFilter(watched, event)
 
+    def leaveEvent(self, event: QEvent) -> None:
+        """No button is about to be pressed any more."""
+        super().leaveEvent(event)
+        self._keep_clear()
+
     def _place(self) -> None:
         width = min(WIDTH, self._over.width() - 2 * AWAY)
-        height = self.heightForWidth(width)
-        left, canvas = self._over.width() - width - AWAY, self._window.canvas
-        legend_reaches = canvas.on_top.legend.geometry().right() >= left - AWAY
-        below = round(canvas.on_top.below) if legend_reaches else AWAY
-        self.setGeometry(left, self._over.height() - height - below, width, height)
+        size = QSize(width, self.heightForWidth(width))
+        self.setGeometry(corners(self._window.canvas, size)[self._is_above])
+        self._keep_clear()
+
+    def _keep_clear(self) -> None:
+        """Go to the other corner where it lies upon who is selected; not while the mouse is about to press a button."""
+        if not self.isVisible() or self.underMouse():
+            return
+        canvas, node = self._window.canvas, self._studio.selection.node
+        both = corners(canvas, self.size())
+        if lies_upon(both[self._is_above], canvas, node) and not lies_upon(
+            both[not self._is_above], canvas, node
+        ):
+            self._is_above = not self._is_above
+            self.setGeometry(both[self._is_above])
 
     def _dress(self) -> None:
         theme = self._studio.theme

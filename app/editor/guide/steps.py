@@ -40,6 +40,10 @@ def _never(_seen: Seen) -> int | None:
     return None
 
 
+def _when_it_is_said(_seen: Seen) -> bool:
+    return False
+
+
 def _nothing(_studio: Studio) -> None:
     return None
 
@@ -55,6 +59,7 @@ class Step:
         stops: After how many ticks time is to stand still, so that the right moment cannot be missed; None while that
             is not known.
         prepares: Sees to what has to be so before it can be done.
+        is_watched: There is only something to see, and the user says when it was seen.
     """
 
     title: str
@@ -63,6 +68,7 @@ class Step:
     done: Callable[[Seen], bool]
     stops: Callable[[Seen], int | None] = _never
     prepares: Callable[[Studio], object] = _nothing
+    is_watched: bool = False
 
 
 def _teaches(automaton: str) -> Callable[[Seen], bool]:
@@ -147,8 +153,8 @@ WANDERING: tuple[Step, ...] = (
     ),
     Step(
         "Turn it right",
-        "Let it walk. Time stops by itself when it has walked as long as before: then pick RotateRight, since at that "
-        "moment either turn is fine.",
+        "Let it walk (+ is faster). Time stops by itself when it has walked as long as before: then pick RotateRight, "
+        "since at that moment either turn is fine.",
         "pick:RotateRight",
         _picked("rotate-right"),
         _as_long_as_before,
@@ -170,7 +176,8 @@ WANDERING: tuple[Step, ...] = (
         "Let time pass (Space): they walk and turn as you showed. If the library says “2 in conflict”, you turned both "
         "ways at the same moment, and they choose left or right by chance.",
         "canvas",
-        _passed(400),
+        _when_it_is_said,
+        is_watched=True,
     ),
 )
 FORAGING: tuple[Step, ...] = (
@@ -196,7 +203,7 @@ FORAGING: tuple[Step, ...] = (
     ),
     Step(
         "When it finds a box",
-        "Time stops by itself once a box is within the circle around the agent, what it can see: then pick ReturnWithBox, "
+        "Time stops by itself once the agent sees a box, which is then within the circle around it: pick ReturnWithBox, "
         "and it fetches the box and pulls it home. Until then let time pass (Space goes on and stops; + is faster), or "
         "drag the agent to a box while time stands still.",
         "pick:ReturnWithBox",
@@ -221,7 +228,8 @@ FORAGING: tuple[Step, ...] = (
         "Let them work (Space). If one goes wrong, click it and pick what it should do: that is another example, and all "
         "of them know better at once.",
         "canvas",
-        _passed(600),
+        _when_it_is_said,
+        is_watched=True,
     ),
 )
 STEPS = (*WANDERING, *FORAGING)

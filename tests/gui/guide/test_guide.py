@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -72,6 +72,12 @@ def all_is_answered(window: MainWindow) -> Callable[[], bool]:
     return lambda: studio.snapshot is not None and studio.snapshot.acknowledged >= engine._tickets
 
 
+def press_next(window: MainWindow, qtbot: QtBot) -> None:
+    """Say that one has seen what there was to see."""
+    assert window.guide.skip.text() == "Next"
+    qtbot.mouseClick(window.guide.skip, Qt.MouseButton.LeftButton)
+
+
 def turn_left(window: MainWindow, qtbot: QtBot) -> None:
     """Do what the lesson says until the agent turns left, while time passes."""
     qtbot.keyClick(window, Qt.Key.Key_T)
@@ -109,6 +115,7 @@ def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbo
     qtbot.waitUntil(ring_is_around(window, qtbot), timeout=PATIENCE)
     teach_wander(window, qtbot)
     assert window.studio.mode is Mode.TESTING
+    press_next(window, qtbot)
     at(window, qtbot, "Now foraging")
     choose_in_library(window, qtbot, RowKey("agent", "forage"))
     at(window, qtbot, "Take an agent in hand")
@@ -184,16 +191,93 @@ def test_foraging_is_taught_by_doing_what_the_lesson_says_and_boxes_come_in(
     qtbot.keyClick(window, Qt.Key.Key_T, Qt.KeyboardModifier.ShiftModifier)
     at(window, qtbot, "Watch them, and correct them")
     qtbot.keyClick(window, Qt.Key.Key_Space)
-    at(window, qtbot, "That is all it takes")
     qtbot.waitUntil(
         lambda: studio.snapshot is not None and studio.snapshot.measures["boxes"] > 3, timeout=PATIENCE
     )
+    press_next(window, qtbot)
+    at(window, qtbot, "That is all it takes")
     labels: dict[tuple[object, ...], set[str]] = {}
     for example in studio.document.project.examples_of("agent", "forage"):
         labels.setdefault((example.source, *sorted(example.values.items())), set()).add(example.label)
     assert all(len(found) == 1 for found in labels.values()), "nothing contradicts anything"
     card, legend = window.guide.geometry(), window.canvas.on_top.legend.geometry()
     assert not card.intersects(legend)
+
+
+def test_what_is_to_be_watched_stays_until_it_was_read_however_fast_time_passes(
+    lesson: MainWindow, qtbot: QtBot
+) -> None:
+    guide = lesson.guide
+    while guide.title.text() != "Watch them":
+        qtbot.mouseClick(guide.skip, Qt.MouseButton.LeftButton)
+    qtbot.keyClick(lesson, Qt.Key.Key_Space)
+    faster(lesson, qtbot, 8.0)
+    wait_ticks(lesson, qtbot, 1_000)
+    assert guide.title.text() == "Watch them"
+    press_next(lesson, qtbot)
+    at(lesson, qtbot, "Now foraging")
+
+
+def test_the_lesson_is_closed_by_a_button_once_it_is_over(lesson: MainWindow, qtbot: QtBot) -> None:
+    guide = lesson.guide
+    while guide.title.text() != "Watch them, and correct them":
+        qtbot.mouseClick(guide.skip, Qt.MouseButton.LeftButton)
+    press_next(lesson, qtbot)
+    assert guide.title.text() == "That is all it takes"
+    assert guide.skip.text() == "Close"
+    qtbot.mouseClick(guide.skip, Qt.MouseButton.LeftButton)
+    assert not guide.isVisible()
+
+
+def test_the_card_goes_where_it_hides_nobody_who_is_selected(lesson: MainWindow, qtbot: QtBot) -> None:
+    canvas, guide = lesson.canvas, lesson.guide
+    lesson.resize(1280, 800)
+    qtbot.waitUntil(lambda: canvas.scene is not None, timeout=PATIENCE)
+    for _ in range(3):
+        before = guide.geometry()
+        hidden = agent_within(lesson, before)
+        lesson.studio.selection.select_nodes([hidden])
+        qtbot.waitUntil(partial(lambda before: guide.geometry() != before, before), timeout=PATIENCE)
+        assert not guide.geometry().contains(place_of(lesson, hidden))
+        assert canvas.rect().contains(guide.geometry())
+
+
+def test_what_the_canvas_tells_of_who_is_under_the_mouse_lies_above_the_card(
+    lesson: MainWindow, qtbot: QtBot
+) -> None:
+    canvas, guide = lesson.canvas, lesson.guide
+    lesson.resize(1280, 800)
+    qtbot.waitUntil(lambda: canvas.scene is not None, timeout=PATIENCE)
+    beside = guide.geometry().adjusted(-60, 0, 0, 0)
+    spots = [place_of(lesson, node) for node in agents_of(lesson)]
+    spot = next(p for p in spots if beside.contains(p) and not guide.geometry().contains(p))
+    qtbot.mouseMove(canvas, spot)
+    qtbot.waitUntil(canvas.card.isVisible, timeout=PATIENCE)
+    shared = canvas.card.geometry().intersected(guide.geometry())
+    assert not shared.isEmpty()
+    over = canvas.parentWidget()
+    assert over is not None
+    layers = over.children()
+    assert layers.index(canvas.card) > layers.index(guide)
+
+
+def agents_of(window: MainWindow) -> tuple[str, ...]:
+    assert window.canvas.scene is not None
+    return window.canvas.scene.place.agents
+
+
+def place_of(window: MainWindow, node: str) -> QPoint:
+    """Where a node is on the canvas."""
+    scene = window.canvas.scene
+    assert scene is not None
+    entity = scene.entity(node)
+    x, y = window.canvas.looking.camera.to_view(float(scene.x[entity]), float(scene.y[entity]))
+    return QPoint(round(x), round(y))
+
+
+def agent_within(window: MainWindow, card: QRect) -> str:
+    """Somebody whom the card hides."""
+    return next(node for node in agents_of(window) if card.contains(place_of(window, node)))
 
 
 def test_who_lets_time_go_on_at_a_box_is_stopped_again_at_the_next(window: MainWindow, qtbot: QtBot) -> None:
