@@ -160,8 +160,7 @@ class Bridge(QObject):
             case Picked() | TakenBack() | Relearned():
                 self._apply(event)
             case Moved():
-                text = f"Move {event.node_or_kind}"
-                self._document.push(text, self._document.project, mark=MoveMark(event))
+                self._document.push(f"Move {event.words}", self._document.project, mark=MoveMark(event))
             case Refused(ticket, _) if ticket and ticket in (self._taking_back, self._doing_again):
                 pass  # the lesson of the pick is over; whoever asked for it undoes or redoes the examples
             case Refused(_, message) | Interrupted(message):

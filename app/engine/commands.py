@@ -146,19 +146,21 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class MoveEntity:
-    """Put an agent or another entity somewhere else, in world units."""
+class MoveEntities:
+    """Put agents or other entities somewhere else: one move, all or none of it, which is undone as one.
 
-    entity: int
-    x: float
-    y: float
+    Attributes:
+        to: Entity -> where it is to be, in world units; in the order in which they are moved.
+    """
+
+    to: Mapping[int, tuple[float, float]]
 
 
 @dataclass(frozen=True, slots=True)
 class UndoMove:
-    """Put an entity back to where it was before it was moved.
+    """Put what was moved back to where it was before.
 
-    If no tick has passed since, the whole world is as it was; later, only the entity's place.
+    If no tick has passed since, the whole world is as it was; later, only the places of what was moved.
 
     Attributes:
         number: Of the move, see `app.engine.snapshots.Moved`.
@@ -169,7 +171,7 @@ class UndoMove:
 
 @dataclass(frozen=True, slots=True)
 class RedoMove:
-    """Move an entity again to where it had been moved before that was undone."""
+    """Move entities again to where they had been moved before that was undone."""
 
     number: int
 
@@ -230,7 +232,7 @@ Command = (
     | Pause
     | StopAt
     | Step
-    | MoveEntity
+    | MoveEntities
     | UndoMove
     | RedoMove
     | AskMe

@@ -17,7 +17,7 @@ from ..learner.builder import LearningCancelled
 from ..learner.trainer import apply, learn
 from ..sim.engines import REFERENCE
 from ..sim.scenario import Scenario
-from .commands import Command, MoveEntity, Others, ShouldNotHaveLeft, Teach, Test, UndoPick, UseProject
+from .commands import Command, MoveEntities, Others, ShouldNotHaveLeft, Teach, Test, UndoPick, UseProject
 from .commands import Pick as PickCommand
 from .session import Session
 from .snapshots import Refused
@@ -110,7 +110,7 @@ def _command(act: Pick, demonstration: Demonstration) -> Command | Learn:
         case "learn":
             return Learn()
         case "move" if act.entity is not None and act.x is not None and act.y is not None:
-            return MoveEntity(act.entity, act.x, act.y)
+            return MoveEntities({act.entity: (act.x, act.y)})
         case "move":
             raise SessionError(
                 f"demonstration {demonstration.id!r}, tick {act.tick}: a move needs an entity, x and y"

@@ -4,6 +4,7 @@ Between two keyframes a run is repeated tick by tick: chance depends on nothing 
 it. What the user moved is moved again when its tick comes.
 """
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -116,17 +117,30 @@ class Timeline:
 
     # ------------------------------------------------------------------------------------- what a hand did
 
-    def moved(self, hand: Hand) -> None:
-        """The user has moved something: what came after this tick may come in another way now."""
-        self._frames = [frame for frame in self._frames if frame.tick <= hand.tick]
-        self._hands = [*(known for known in self._hands if known.tick <= hand.tick), hand]
+    def moved(self, hands: Sequence[Hand]) -> None:
+        """The user has moved something: what came after this tick may come in another way now.
 
-    def unmoved(self, hand: Hand) -> None:
-        """The user has taken a move back, now or before it came again."""
-        self._frames = [frame for frame in self._frames if frame.tick <= hand.tick]
-        if hand in self._hands:
-            place = len(self._hands) - 1 - self._hands[::-1].index(hand)
-            self._hands = [*self._hands[:place], *self._hands[place + 1 :]]
+        Args:
+            hands: All of one tick.
+        """
+        tick = hands[0].tick
+        self._frames = [frame for frame in self._frames if frame.tick <= tick]
+        self._hands = [*(known for known in self._hands if known.tick <= tick), *hands]
+
+    def unmoved(self, hands: Sequence[Hand]) -> None:
+        """The user has taken a move back, now or before it came again.
+
+        Args:
+            hands: All of one tick.
+        """
+        self._frames = [frame for frame in self._frames if frame.tick <= hands[0].tick]
+        gone, kept = Counter(hands), []
+        for hand in reversed(self._hands):  # of several that are alike, the last is the one
+            if gone[hand]:
+                gone[hand] -= 1
+            else:
+                kept.append(hand)
+        self._hands = kept[::-1]
 
     # ------------------------------------------------------------------------------------------- going back
 

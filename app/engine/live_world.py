@@ -1,5 +1,7 @@
 """The world that a session goes on in: stepped, moved in by hand, and gone back in."""
 
+from collections.abc import Mapping
+
 from ..core.errors import SessionError, UnderstudyError
 from ..sim.engine import Columns, Control, Engine
 from .keyframes import Timeline
@@ -114,13 +116,13 @@ class LiveWorld:
 
     # ----------------------------------------------------------------------------------------- moved by hand
 
-    def move(self, entity: int, x: float, y: float) -> Moved:
-        """Put an entity somewhere else.
+    def move(self, to: Mapping[int, tuple[float, float]]) -> Moved:
+        """Put entities somewhere else.
 
         Raises:
             UnderstudyError: There is no such entity or place, or the scenario failed; the world is as it was.
         """
-        return self._moves.move(self.engine, self.place, entity, (x, y), self._timeline)
+        return self._moves.move(self.engine, self.place, to, self._timeline)
 
     def undo_move(self, number: int) -> None:
         """Take a move back.

@@ -1,5 +1,6 @@
 """What the user's hand moved in a world, so that each move can be undone and done again."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,22 +9,35 @@ from ..core.errors import SessionError, UnderstudyError
 from ..sim.engine import Engine
 from .keyframes import Hand, Keyframe, Timeline
 from .place import Place
-from .snapshots import Moved
+from .snapshots import Moved, MovedEntity
+
+#: A place in the world, in its units.
+Spot = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class _Move:
-    """A move.
+    """A move of one or several at once.
 
     Attributes:
-        hand: When it was, and where to.
-        before: Where the entity was.
+        hands: When it was, who was moved, and where to.
+        before: Where each of them was.
         undone: Whether it is taken back now.
     """
 
-    hand: Hand
-    before: tuple[float, float]
+    hands: tuple[Hand, ...]
+    before: tuple[Spot, ...]
     undone: bool = False
+
+    @property
+    def tick(self) -> int:
+        """When it was."""
+        return self.hands[0].tick
+
+    def back(self, tick: int) -> tuple[Hand, ...]:
+        """How all of them are put back; things before agents, whom they may take along."""
+        there = {hand.entity: spot for hand, spot in zip(self.hands, self.before, strict=True)}
+        return tuple(Hand(tick, entity, *there[entity]) for entity in sorted(there, reverse=True))
 
 
 class Moves:
@@ -45,21 +59,28 @@ class Moves:
         """Ticks have passed."""
         self._exact.clear()
 
-    def move(
-        self, engine: Engine, place: Place, entity: int, to: tuple[float, float], timeline: Timeline | None
-    ) -> Moved:
-        """Put an entity somewhere else.
+    def move(self, engine: Engine, place: Place, to: Mapping[int, Spot], timeline: Timeline | None) -> Moved:
+        """Put entities somewhere else.
 
         Raises:
-            UnderstudyError: There is no such entity, or the scenario failed; the world is as it was.
+            UnderstudyError: One of them does not exist, or the scenario failed; the world is as it was.
         """
+        if not to:
+            raise SessionError("a move has to name what is moved")
         number = self.next
-        before, after = self._do(engine, Hand(engine.tick, entity, *to), timeline, number)
+        hands = tuple(Hand(engine.tick, entity, *spot) for entity, spot in to.items())
+        before, after = self._do(engine, hands, timeline, number)
         self.next += 1
-        return Moved(entity, _name(place, entity), before, after, number)
+        return Moved(
+            tuple(
+                MovedEntity(entity, place.kind_of(entity), place.entity_called(entity), there, here)
+                for entity, there, here in zip(to, before, after, strict=True)
+            ),
+            number,
+        )
 
     def undo(self, engine: Engine, number: int, timeline: Timeline | None) -> None:
-        """Take a move back: exactly if no tick has passed and nothing was moved since, otherwise the entity's place.
+        """Take a move back: exactly if no tick has passed and nothing was moved since, otherwise the places of the moved.
 
         Raises:
             SessionError: There is no such move in this world, or it is undone.
@@ -70,16 +91,16 @@ class Moves:
             raise SessionError(f"move {number} is undone already")
         if self._exact and next(reversed(self._exact)) == number:
             self._exact.pop(number).restore(engine)
-            _take_back(timeline, move.hand)
-        elif move.hand.tick > engine.tick:
-            _take_back(timeline, move.hand)  # the run was gone back in, so it is still to come
+            _take_back(timeline, move.hands)
+        elif move.tick > engine.tick:
+            _take_back(timeline, move.hands)  # the run was gone back in, so it is still to come
         else:
-            _carry_out(engine, Hand(engine.tick, move.hand.entity, *move.before), timeline)
+            _carry_out(engine, move.back(engine.tick), timeline)
             self._exact.clear()
         self._moves[number] = replace(move, undone=True)
 
     def redo(self, engine: Engine, number: int, timeline: Timeline | None) -> None:
-        """Move an entity again to where it had been moved.
+        """Move again what was moved, to where it had been put.
 
         Raises:
             SessionError: There is no such move in this world, or it is not undone.
@@ -88,17 +109,19 @@ class Moves:
         move = self._known(number)
         if not move.undone:
             raise SessionError(f"move {number} is not undone, so it cannot be done again")
-        self._do(engine, replace(move.hand, tick=engine.tick), timeline, number)
+        hands = tuple(replace(hand, tick=engine.tick) for hand in move.hands)
+        self._do(engine, hands, timeline, number)
 
     def _do(
-        self, engine: Engine, hand: Hand, timeline: Timeline | None, number: int
-    ) -> tuple[tuple[float, float], tuple[float, float]]:
-        before = _carry_out(engine, hand, timeline)
-        at = _at(before, hand.entity)
-        self._moves[number] = _Move(hand, at)
+        self, engine: Engine, hands: tuple[Hand, ...], timeline: Timeline | None, number: int
+    ) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
+        """Move; returns where all were, and where they are."""
+        before = _carry_out(engine, hands, timeline)
+        spots = _spots(before, hands)
+        self._moves[number] = _Move(hands, spots)
         self._exact.pop(number, None)
         self._exact[number] = before
-        return at, _at(_world(engine), hand.entity)
+        return spots, _spots(_world(engine), hands)
 
     def _known(self, number: int) -> _Move:
         if number not in self._moves:
@@ -106,18 +129,19 @@ class Moves:
         return self._moves[number]
 
 
-def _carry_out(engine: Engine, hand: Hand, timeline: Timeline | None) -> Keyframe:
-    """Move; returns the world before it."""
+def _carry_out(engine: Engine, hands: tuple[Hand, ...], timeline: Timeline | None) -> Keyframe:
+    """Move all or none; returns the world before."""
     before = _world(engine)
     try:
-        engine.move(hand.entity, hand.x, hand.y)
+        for hand in hands:
+            engine.move(hand.entity, hand.x, hand.y)
         engine.columns()  # what cannot be shown is refused
     except UnderstudyError:
         if _differs(engine, before):  # a move that was refused outright has touched nothing
             before.restore(engine)
         raise
     if timeline is not None:
-        timeline.moved(hand)
+        timeline.moved(hands)
     return before
 
 
@@ -129,9 +153,9 @@ def _differs(engine: Engine, before: Keyframe) -> bool:
     return any(not np.array_equal(column, now[name]) for name, column in before.world.items())
 
 
-def _take_back(timeline: Timeline | None, hand: Hand) -> None:
+def _take_back(timeline: Timeline | None, hands: tuple[Hand, ...]) -> None:
     if timeline is not None:
-        timeline.unmoved(hand)
+        timeline.unmoved(hands)
 
 
 def _world(engine: Engine) -> Keyframe:
@@ -139,11 +163,6 @@ def _world(engine: Engine) -> Keyframe:
     return Keyframe(engine.tick, engine.columns(), {"now": engine.shown.now, "nodes": {}})
 
 
-def _at(frame: Keyframe, entity: int) -> tuple[float, float]:
-    return float(frame.world["x"][entity]), float(frame.world["y"][entity])
-
-
-def _name(place: Place, entity: int) -> str:
-    if entity < len(place.agents):
-        return place.agents[entity]
-    return next(kind for kind, span in place.spans.items() if entity in span)
+def _spots(frame: Keyframe, hands: tuple[Hand, ...]) -> tuple[Spot, ...]:
+    x, y = frame.world["x"], frame.world["y"]
+    return tuple((float(x[hand.entity]), float(y[hand.entity])) for hand in hands)

@@ -54,6 +54,10 @@ class Place:
         """What the user calls a node; one that is not here goes by its id."""
         return node_words(self._nodes.get(node_id) or Node(node_id, ""))
 
+    def kind_of(self, entity: int) -> str:
+        """The kind of an entity."""
+        return next(kind for kind, span in self.spans.items() if entity in span)
+
     def entity_called(self, entity: int) -> str:
         """What the user calls an entity: an agent by its name, ``box 3``, or just ``deposit`` where there is but one."""
         for kind, span in self.spans.items():

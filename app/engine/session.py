@@ -16,7 +16,7 @@ from .commands import (
     Command,
     GoTo,
     LetGo,
-    MoveEntity,
+    MoveEntities,
     Others,
     Pause,
     Pick,
@@ -273,12 +273,15 @@ class Session(Course):
         self._clock.go(command.tick, command.tick - self.tick)
 
     @_obey.register
-    def _(self, command: MoveEntity) -> None:
+    def _(self, command: MoveEntities) -> None:
         self._refuse_failed()
-        moved = self._world.move(command.entity, command.x, command.y)
+        moved = self._world.move(command.to)
         self._events.append(moved)
-        act = DemonstratedAct(self.tick, "", act="move", entity=command.entity, x=command.x, y=command.y)
-        self._transcript.move(moved.number, act, learning=self._learns)
+        acts = [
+            DemonstratedAct(self.tick, "", act="move", entity=entity, x=x, y=y)
+            for entity, (x, y) in command.to.items()
+        ]
+        self._transcript.move(moved.number, acts, learning=self._learns)
         self._touched()
 
     @_obey.register

@@ -5,10 +5,12 @@ from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from functools import cached_property
 
+from ..core.amounts import counted
 from ..core.edits.examples import Recorded, record_pick, take_back_pick
 from ..core.machine import Machine
 from ..core.project import Demonstration, Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
+from ..sim.columns import AGENT
 from ..sim.doing import BehaviorRef, Doing, Roster, StateRef
 from ..sim.engine import Columns
 from ..sim.world import FrozenWorld
@@ -28,6 +30,7 @@ __all__ = [
     "LessonView",
     "Mode",
     "Moved",
+    "MovedEntity",
     "NodeView",
     "Picked",
     "Place",
@@ -241,20 +244,40 @@ class Interrupted:
 
 
 @dataclass(frozen=True, slots=True)
-class Moved:
-    """The user moved an entity.
+class MovedEntity:
+    """One of those that were moved.
 
     Attributes:
-        node_or_kind: The id of the agent, or the name of the entity's kind.
+        kind: Of the entity.
+        name: What the user calls it.
         before, after: Its places, in world units; *after* is where the scenario let it go.
-        number: Names the move for `UndoMove` and `RedoMove`.
     """
 
     entity: int
-    node_or_kind: str
+    kind: str
+    name: str
     before: tuple[float, float]
     after: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """The user moved entities, all at once.
+
+    Attributes:
+        number: Names the move for `UndoMove` and `RedoMove`.
+    """
+
+    entities: tuple[MovedEntity, ...]
     number: int
+
+    @property
+    def words(self) -> str:
+        """What was moved: its name, or how many there were."""
+        if len(self.entities) == 1:
+            return self.entities[0].name
+        agents = all(moved.kind == AGENT for moved in self.entities)
+        return counted(len(self.entities), "agent" if agents else "thing")
 
 
 #: What changed the session's copy of the project, and is to change the caller's in the same way, see `edited`.

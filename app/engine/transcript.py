@@ -44,7 +44,7 @@ class Transcript:
         self._acts: list[Pick] = []
         self._live: list[Pick] = []  # those of the acts whose examples are there
         self._added: dict[str, State] = {}
-        self._moves: dict[int, Pick] = {}
+        self._moves: dict[int, Sequence[Pick]] = {}
         self._undone: list[_Undone] = []
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
@@ -152,26 +152,29 @@ class Transcript:
     def _last(self) -> Pick | None:
         return self._acts[-1] if self._acts else None
 
-    def move(self, number: int, act: Pick, *, learning: bool = False) -> None:
+    def move(self, number: int, acts: Sequence[Pick], *, learning: bool = False) -> None:
         """Something was moved in the world.
 
         Args:
             number: Of the move, see `app.engine.snapshots.Moved`.
+            acts: One for each that was moved.
         """
-        self._moves[number] = act
-        self._insert(act, learning=learning)
+        self._moves[number] = acts
+        for act in acts:
+            self._insert(act, learning=learning)
 
     def undo_move(self, number: int, tick: int) -> None:
         """A move was taken back; where nothing came after it, it is as if it had never been."""
-        last = self._last
-        if last is not None and last is self._moves.get(number) and last.tick == tick:
-            self._acts.pop()
+        last, moved = self._last, self._moves.get(number)
+        if moved and last is moved[-1] and last.tick == tick:
+            self._acts = self._acts[: -len(moved)]
         else:
             self.spoil(f"something was moved back in the world. {AGAIN}")
 
     def redo_move(self, number: int, tick: int, *, learning: bool = False) -> None:
         """A move was done again."""
-        self.move(number, replace(self._moves[number], tick=tick), learning=learning)
+        acts = [replace(act, tick=tick) for act in self._moves[number]]
+        self.move(number, acts, learning=learning)
 
     def go_back(self) -> None:
         """The run is gone back in."""

@@ -35,7 +35,7 @@ from app.engine.commands import (
     Command,
     GoTo,
     LetGo,
-    MoveEntity,
+    MoveEntities,
     Others,
     Pause,
     Pick,
@@ -138,7 +138,7 @@ class Hand:
             (2, RedoPick),
             (2, LearnAndTest),
             (3, lambda: ShouldNotHaveLeft(node)),
-            (1, lambda: MoveEntity(self.random.randint(0, 3), 100.0 * self.random.random(), 0.0)),
+            (1, lambda: MoveEntities({self.random.randint(0, 3): (100.0 * self.random.random(), 0.0)})),
             (0.5, lambda: UndoMove(self.random.randint(1, 4))),
             (0.5, lambda: RedoMove(self.random.randint(1, 4))),
             (
@@ -327,7 +327,7 @@ class Traveler:
         """Move something, or take a move back, or do it again: from here on, all may come in another way."""
         number = self.random.randint(1, self.moves + 1)
         choices: list[Command] = [
-            MoveEntity(self.random.randint(0, 4), 100.0 * self.random.random(), 0.0),
+            MoveEntities({self.random.randint(0, 4): (100.0 * self.random.random(), 0.0)}),
             UndoMove(number),
             RedoMove(number),
         ]

@@ -42,13 +42,13 @@ class Options:
     grid: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Preview:
-    """Where an entity is being dragged to, world units."""
+    """Where entities are being dragged to, world units."""
 
-    entity: int
-    x: float
-    y: float
+    held: NDArray[np.int64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -62,7 +62,7 @@ class Frame:
         lit: Places among the entries of the coloring, or -1 for all that are attached; the others fade. None lights all.
         hovered: The entity under the mouse, or -1.
         band: A rectangle being pulled open: left, top, right, bottom, pixels.
-        targets: Entities that can be chosen, if that is going on, or the one that keys hold.
+        targets: Entities that can be chosen, if that is going on, or what keys hold.
         ratio: Pixels of the screen to one of the view.
     """
 
@@ -88,11 +88,11 @@ class Frame:
         return arrow_size(self.scene, self.camera, self.extent)
 
     def places(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Pixels of all entities, one that is being dragged where it would be put."""
+        """Pixels of all entities, those that are being dragged where they would be put."""
         x, y = self.camera.to_view(self.scene.x, self.scene.y)
-        if self.preview is not None:
-            at = self.camera.to_view(self.preview.x, self.preview.y)
-            x[self.preview.entity], y[self.preview.entity] = at
+        preview = self.preview
+        if preview is not None:
+            x[preview.held], y[preview.held] = self.camera.to_view(preview.x, preview.y)
         return x, y
 
     def selected(self) -> NDArray[np.int64]:

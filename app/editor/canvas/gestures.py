@@ -13,6 +13,10 @@ from typing import Protocol
 SLACK = 4.0
 
 
+#: Entities that are moved together.
+Held = tuple[int, ...]
+
+
 class Button(Enum):
     """Of the mouse."""
 
@@ -74,14 +78,17 @@ class Stage(Protocol):
     def drop_band(self) -> None:
         """It is not shown any more."""
 
-    def preview(self, entity: int, at: Pointer) -> None:
-        """Show the entity there."""
+    def together(self, entity: int) -> Held:
+        """What is dragged with an entity: of several that are selected, all; the entity itself comes first."""
 
-    def put(self, entity: int, at: Pointer) -> None:
-        """Put the entity there for good."""
+    def preview(self, held: Held, at: Pointer) -> None:
+        """Show the first of them there, and the others as far from it as they are."""
+
+    def put(self, held: Held, at: Pointer) -> None:
+        """Put them there for good."""
 
     def drop_preview(self) -> None:
-        """Show the entity where it is."""
+        """Show them where they are."""
 
     def say(self, why: str) -> None:
         """Tell the user why something does not happen."""
@@ -194,7 +201,7 @@ class Pressed(Gesture):
         if why:
             stage.say(why)
             return Refused()
-        return Dragging(self.entity).move(stage, at)
+        return Dragging(stage.together(self.entity)).move(stage, at)
 
     def release(self, stage: Stage, _at: Pointer) -> Gesture:
         """A click."""
@@ -240,32 +247,32 @@ class Banding(Gesture):
 
 @dataclass(frozen=True, slots=True)
 class Dragging(Gesture):
-    """An entity is held; the world hears of it when it is let go."""
+    """Entities are held; the world hears of it when they are let go."""
 
-    entity: int
+    held: Held
     cancelable = True
 
     def move(self, stage: Stage, at: Pointer) -> Gesture:
-        """The entity is shown there."""
-        stage.preview(self.entity, at)
+        """They are shown there."""
+        stage.preview(self.held, at)
         return self
 
     def release(self, stage: Stage, at: Pointer) -> Gesture:
-        """The entity stays there."""
-        stage.put(self.entity, at)
+        """They stay there."""
+        stage.put(self.held, at)
         return Resting()
 
     def cancel(self, stage: Stage) -> Gesture:
-        """The entity is where it was; the button may go up at any time."""
+        """They are where they were; the button may go up at any time."""
         stage.drop_preview()
         return Refused()
 
 
 @dataclass(frozen=True, slots=True)
 class Carrying(Gesture):
-    """An entity is held by keys, which move it and put it down; the mouse lets go of it."""
+    """Entities are held by keys, which move them and put them down; the mouse lets go of them."""
 
-    entity: int
+    held: Held
     cancelable = True
 
     def press(self, stage: Stage, button: Button, at: Pointer) -> Gesture:
@@ -273,6 +280,6 @@ class Carrying(Gesture):
         return self.cancel(stage).press(stage, button, at)
 
     def cancel(self, stage: Stage) -> Gesture:
-        """The entity is where it was."""
+        """They are where they were."""
         stage.drop_preview()
         return Resting()

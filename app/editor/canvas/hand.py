@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ...engine.commands import MoveEntity
+from ...engine.commands import MoveEntities
 from ...engine.snapshots import Snapshot
 from .frame import Frame, Preview
-from .gestures import Button, Carrying, Choosing, Gesture, Pointer, Resting
+from .gestures import Button, Carrying, Choosing, Gesture, Held, Pointer, Resting
 from .hits import agents_in, controller_at, entity_at
 
 if TYPE_CHECKING:
@@ -88,34 +89,34 @@ class Hand(QObject):
     # ----------------------------------------------------------------------------------------- the keys
 
     @property
-    def carried(self) -> int:
-        """The entity that is held by keys, -1 if none is."""
-        return self.gesture.entity if isinstance(self.gesture, Carrying) else -1
+    def carried(self) -> Held:
+        """The entities that are held by keys."""
+        return self.gesture.held if isinstance(self.gesture, Carrying) else ()
 
-    def carry(self, entity: int, dx: float = 0.0, dy: float = 0.0) -> None:
-        """Hold an entity so many pixels from where it is shown; the world hears of it when it is put down."""
+    def carry(self, held: Held, dx: float = 0.0, dy: float = 0.0) -> None:
+        """Hold entities so many pixels from where they are shown; the world hears of it when they are put down."""
         frame, why = self._frame(), self.cannot_drag()
         if frame is None or self.choice is not None:
             return
         if why:
             self.say(why)
             return
-        if entity != self.carried:
+        if held != self.carried:
             self.cancel()
             frame = self._frame() or frame
         x, y = frame.places()
-        self.preview(entity, Pointer(float(x[entity]) + dx, float(y[entity]) + dy))
-        self._go(Carrying(entity))
+        self.preview(held, Pointer(float(x[held[0]]) + dx, float(y[held[0]]) + dy))
+        self._go(Carrying(held))
 
     def put_down(self) -> None:
         """Leave what is held by keys where it is shown."""
-        preview, why = self.dragged, self.cannot_drag()
-        if self.carried < 0 or preview is None:
+        why = self.cannot_drag()
+        if not self.carried:
             return
         if why:
             self.say(why)
             return
-        self._move(preview)
+        self._move()
         self._go(Resting())
 
     # ------------------------------------------------------------------------------------ other worlds
@@ -157,8 +158,11 @@ class Hand(QObject):
         return frozenset() if self.choice is None else self.choice.targets()
 
     def marked(self) -> frozenset[int]:
-        """The entities around which there is a mark: those that can be chosen, or the one that keys hold."""
-        return frozenset({self.carried}) if self.carried >= 0 else self.sought()
+        """The entities around which there is a mark: those that can be chosen, or what keys hold.
+
+        Of several that keys hold, all of which are selected and look like that, only the first.
+        """
+        return frozenset(self.carried[:1]) or self.sought()
 
     def cannot_drag(self) -> str:
         """Why nothing can be dragged now; empty if it can."""
@@ -236,21 +240,47 @@ class Hand(QObject):
         """It is not shown any more."""
         self.band = None
 
-    def preview(self, entity: int, at: Pointer) -> None:
-        """Show the entity there."""
-        self.dragged = Preview(entity, *self._looking.camera.to_world(at.x, at.y))
+    def selected(self) -> Held:
+        """The agents that are shown as selected, the one that panels show first."""
+        frame = self._frame()
+        if frame is None:
+            return ()
+        agents = frame.selected().tolist()
+        shown = frame.scene.entity(self._studio.selection.node)
+        return tuple(sorted(agents, key=lambda agent: agent != shown))
 
-    def put(self, entity: int, at: Pointer) -> None:
-        """Put the entity there for good; until the world has it there, it is shown there."""
-        self.preview(entity, at)
-        if self.dragged is not None:
-            self._move(self.dragged)
+    def together(self, entity: int) -> Held:
+        """What is dragged with an entity: of several that are selected, all; the entity itself comes first."""
+        selected = self.selected()
+        return (
+            (entity, *(other for other in selected if other != entity)) if entity in selected else (entity,)
+        )
 
-    def _move(self, to: Preview) -> None:
-        self._ticket = self._studio.bridge.send(MoveEntity(to.entity, to.x, to.y))
+    def preview(self, held: Held, at: Pointer) -> None:
+        """Show the first of them there, and the others as far from it as they are."""
+        frame = self._frame()
+        if frame is not None:
+            x, y = self._looking.camera.to_world(at.x, at.y)
+            chosen = np.array(held, np.int64)
+            there, across = frame.scene.x[chosen], frame.scene.y[chosen]
+            self.dragged = Preview(chosen, there - there[0] + x, across - across[0] + y)
+            self._ticket = 0  # it is not what was let go before
+
+    def put(self, held: Held, at: Pointer) -> None:
+        """Put them there for good; until the world has them there, they are shown there."""
+        self.preview(held, at)
+        self._move()
+
+    def _move(self) -> None:
+        """Have the world move what is shown elsewhere."""
+        dragged = self.dragged
+        if dragged is not None:
+            places = zip(dragged.x.tolist(), dragged.y.tolist(), strict=True)
+            to = dict(zip(dragged.held.tolist(), places, strict=True))
+            self._ticket = self._studio.bridge.send(MoveEntities(to))
 
     def drop_preview(self) -> None:
-        """Show the entity where it is."""
+        """Show them where they are."""
         self.dragged, self._ticket = None, 0
 
     def say(self, why: str) -> None:

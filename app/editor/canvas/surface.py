@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 NUDGE = 60.0
 #: What part of that an arrow key with Ctrl moves something that is held.
 STEP = 0.1
-NOTHING_HELD = "select an agent, or take a thing by Ctrl and Page Down: then Ctrl and the arrow keys move it"
+NOTHING_HELD = "select agents, or take a thing by Ctrl and Page Down: then Ctrl and the arrow keys move them"
 #: Eighths of a degree that the wheel has to turn to double the scale.
 DOUBLES = 360.0
 _BUTTONS = {
@@ -233,7 +233,8 @@ class Surface(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows move the view, Page Up and Down go through the agents, Space held lets any drag move the view.
 
-        With Ctrl, arrows move what is held, or the selected agent, and Page Up and Down take other things; Enter puts it down.
+        With Ctrl, arrows move what is held, or the selected agents, and Page Up and Down take other things; Enter puts them
+        down.
         """
         key = event.key()
         if event.modifiers() == Qt.KeyboardModifier.ControlModifier and self._carries(Qt.Key(key)):
@@ -246,7 +247,7 @@ class Surface(QWidget):
             self.looking.pan(*_ARROWS[Qt.Key(key)])
         elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
             self._step_through(1 if key == Qt.Key.Key_PageDown else -1)
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.hand.carried >= 0:
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.hand.carried:
             self.hand.put_down()
         elif key == Qt.Key.Key_A and event.modifiers() == Qt.KeyboardModifier.ControlModifier:
             self._select_all()
@@ -272,21 +273,16 @@ class Surface(QWidget):
         """Take or move an entity, if a key together with Ctrl does that; whether it does."""
         if key in _ARROWS:
             dx, dy = _ARROWS[key]
-            entity = self.hand.carried if self.hand.carried >= 0 else self._selected_agent()
-            if entity < 0:
-                self.hand.say(NOTHING_HELD)
+            held = self.hand.carried or self.hand.selected()
+            if held:
+                self.hand.carry(held, -dx * STEP, -dy * STEP)
             else:
-                self.hand.carry(entity, -dx * STEP, -dy * STEP)
+                self.hand.say(NOTHING_HELD)
         elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
             self._take(1 if key == Qt.Key.Key_PageDown else -1)
         else:
             return False
         return True
-
-    def _selected_agent(self) -> int:
-        snapshot, node = self._studio.snapshot, self._studio.selection.node
-        agents = () if snapshot is None else snapshot.place.agents
-        return agents.index(node) if node in agents else -1
 
     def _take(self, way: int) -> None:
         """Hold the thing after or before the one that is held; agents are selected instead."""
@@ -296,9 +292,9 @@ class Surface(QWidget):
         spans = snapshot.place.spans
         things = [entity for kind, span in spans.items() if kind != AGENT for entity in span]
         if things:
-            held = self.hand.carried
+            held = next(iter(self.hand.carried), -1)
             at = things.index(held) + way if held in things else (0 if way > 0 else -1)
-            self.hand.carry(things[at % len(things)])
+            self.hand.carry((things[at % len(things)],))
 
     def _select_all(self) -> None:
         snapshot = self._studio.snapshot

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHideEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 
+from ...core.amounts import counted
 from ...core.errors import UnderstudyError
 from ...core.examples import Moment
 from ...engine.snapshots import Snapshot
@@ -371,10 +372,11 @@ class WorldCanvas(Surface):
         choice, carried, snapshot = self.hand.choice, self.hand.carried, self._studio.snapshot
         if choice is not None:
             return choice.prompt
-        if carried < 0 or snapshot is None:
+        if not carried or snapshot is None:
             return ""
-        called = snapshot.place.entity_called(carried)
-        return f"Ctrl and arrow keys move {called}, Enter puts it down"
+        if len(carried) > 1:
+            return f"Ctrl and arrow keys move {counted(len(carried), 'agent')}, Enter puts them down"
+        return f"Ctrl and arrow keys move {snapshot.place.entity_called(carried[0])}, Enter puts it down"
 
     def sizeHint(self) -> QSize:
         """As in the middle of the window."""

@@ -62,6 +62,130 @@ def test_a_world_that_begins_anew_in_the_middle_of_a_drag_ends_it(pilot: Pilot) 
     assert not pilot.studio.document.history.can_undo
 
 
+# ------------------------------------------------------------------------------------------ several together
+
+
+def select(pilot: Pilot, *more: int) -> tuple[int, ...]:
+    """Click an agent that stands alone, then select *more* by keys; what is selected, the clicked one first."""
+    agent = pilot.alone()
+    pilot.click(pilot.at(agent))
+    agents = (agent, *(one for one in more if one != agent))
+    for one in agents[1:]:
+        pilot.studio.selection.toggle_node(pilot.snapshot.place.agents[one])
+    return agents
+
+
+def undoes(pilot: Pilot) -> str:
+    """What undo says that it would undo."""
+    pilot.wait(lambda: "Move" in pilot.studio.actions["edit.undo"].text())
+    return pilot.studio.actions["edit.undo"].text().removeprefix("&Undo: ")
+
+
+def shown(pilot: Pilot, agents: tuple[int, ...]) -> list[int]:
+    """The pixels where they are shown, x and y one after the other."""
+    return [number for agent in agents for number in (pilot.at(agent).x(), pilot.at(agent).y())]
+
+
+def places(pilot: Pilot, entities: tuple[int, ...]) -> list[tuple[float, float]]:
+    """Where the world has them."""
+    columns = pilot.snapshot.columns
+    return [(float(columns["x"][entity]), float(columns["y"][entity])) for entity in entities]
+
+
+def test_of_several_selected_agents_all_are_dragged_and_one_undo_takes_all_back(pilot: Pilot) -> None:
+    agents = select(pilot, 0, 1, 2)
+    others = tuple(one for one in range(50) if one not in agents)
+    before, rest = places(pilot, agents), places(pilot, others)
+    start = pilot.at(agents[0])
+    shift = QPoint(12, 8)
+    pilot.down(start).move(start + shift)
+    assert places(pilot, agents) == before
+    pilot.up(start + shift)
+    pilot.wait(lambda: places(pilot, agents)[0] != before[0] and pilot.canvas.hand.dragged is None)
+    first, last = pilot.canvas.looking.camera.to_world(0, 0), pilot.canvas.looking.camera.to_world(12, 8)
+    goal = last[0] - first[0], last[1] - first[1]
+    for (x, y), (was_x, was_y) in zip(places(pilot, agents), before, strict=True):
+        # at the walls they stop
+        assert x - was_x == pytest.approx(goal[0], abs=0.5) or x in (0.0, 200.0)
+        assert y - was_y == pytest.approx(goal[1], abs=0.5) or y in (0.0, 200.0)
+    assert places(pilot, others) == rest
+    pilot.wait(lambda: pilot.studio.document.history.can_undo)
+    assert undoes(pilot) == f"Move {len(agents)} agents"
+    pilot.key(Qt.Key.Key_Z, CONTROL)
+    pilot.wait(lambda: places(pilot, agents) == before)
+    assert not pilot.studio.document.history.can_undo
+    pilot.key(Qt.Key.Key_Z, CONTROL | Qt.KeyboardModifier.ShiftModifier)
+    pilot.wait(lambda: places(pilot, agents) != before)
+
+
+def test_one_that_is_not_selected_is_dragged_alone(pilot: Pilot) -> None:
+    agent = pilot.alone()
+    pilot.studio.selection.select_nodes(
+        [one for one in pilot.snapshot.place.agents[:3] if one != f"agent-{agent + 1}"]
+    )
+    others = tuple(one for one in range(50) if one != agent)
+    before, rest = places(pilot, (agent,)), places(pilot, others)
+    pilot.drag(pilot.at(agent), pilot.nowhere())
+    pilot.wait(lambda: places(pilot, (agent,)) != before)
+    assert places(pilot, others) == rest
+
+
+def test_all_that_are_under_a_selected_controller_are_dragged_with_one_of_them(pilot: Pilot) -> None:
+    pilot.use_arm("one level")
+    agent = pilot.alone()
+    place = pilot.snapshot.place
+    group = next(
+        node
+        for node in place.hierarchy.controllers()
+        if f"agent-{agent + 1}" in {one.id for one in node.walk()}
+    )
+    pilot.studio.selection.select_nodes([group.id])
+    start = pilot.at(agent)
+    pilot.drag(start, start + QPoint(12, 8))
+    pilot.wait(lambda: pilot.studio.document.history.can_undo)
+    assert undoes(pilot) == f"Move {len(list(group.agents()))} agents"
+
+
+def test_escape_leaves_all_that_were_dragged_where_they_were(pilot: Pilot) -> None:
+    agents = select(pilot, 0, 1)
+    start, before = pilot.at(agents[0]), shown(pilot, agents)
+    pilot.down(start).move(start + QPoint(12, 8))
+    there = [number + more for number, more in zip(before, (12, 8) * len(agents), strict=True)]
+    assert shown(pilot, agents) == pytest.approx(
+        there, abs=1.0
+    )  # the first is where the mouse is, to the pixel
+    pilot.key(Qt.Key.Key_Escape)
+    pilot.up(start)
+    assert shown(pilot, agents) == before
+    assert not pilot.studio.document.history.can_undo
+
+
+def test_keys_move_all_selected_agents_as_one_step(pilot: Pilot) -> None:
+    agents = select(pilot, 0, 1, 2)
+    before, start = places(pilot, agents), shown(pilot, agents)
+    pilot.key(Qt.Key.Key_Right, CONTROL)
+    pilot.key(Qt.Key.Key_Down, CONTROL)
+    assert shown(pilot, agents) == [number + 6 for number in start]
+    assert f"move {len(agents)} agents, Enter puts them down" in pilot.canvas.on_top.prompt.words.text()
+    pilot.key(Qt.Key.Key_Return)
+    pilot.wait(lambda: places(pilot, agents) != before and pilot.canvas.hand.dragged is None)
+    pilot.wait(lambda: pilot.studio.document.history.can_undo)
+    pilot.key(Qt.Key.Key_Z, CONTROL)
+    pilot.wait(lambda: places(pilot, agents) == before)
+    assert not pilot.studio.document.history.can_undo
+
+
+def test_what_is_taken_again_before_the_world_has_it_goes_on_from_where_it_was_let_go(pilot: Pilot) -> None:
+    agent = pilot.alone()
+    pilot.click(pilot.at(agent))
+    start = pilot.at(agent)
+    for _ in range(2):
+        pilot.key(Qt.Key.Key_Right, CONTROL)
+        pilot.key(Qt.Key.Key_Return)
+    pilot.wait(lambda: pilot.canvas.hand.dragged is None)
+    assert pilot.at(agent) == start + QPoint(12, 0)
+
+
 # --------------------------------------------------------------------------------------------------- by keys
 
 
@@ -96,28 +220,28 @@ def test_keys_alone_move_what_is_selected_or_taken_and_one_undo_takes_it_back(
 def test_page_keys_with_ctrl_go_through_all_that_is_no_agent_and_escape_leaves_it(pilot: Pilot) -> None:
     for key, entity in ((Qt.Key.Key_PageDown, BOX), (Qt.Key.Key_PageDown, BOX + 1), (Qt.Key.Key_PageUp, BOX)):
         pilot.key(key, CONTROL)
-        assert pilot.canvas.hand.carried == entity
+        assert pilot.canvas.hand.carried == (entity,)
         frame = pilot.canvas.frame()
         assert frame is not None
         assert frame.targets == {entity}
     start = pilot.at(BOX)
     pilot.key(Qt.Key.Key_Down, CONTROL)
     pilot.key(Qt.Key.Key_Escape)
-    assert (pilot.canvas.hand.carried, pilot.at(BOX)) == (-1, start)
+    assert (pilot.canvas.hand.carried, pilot.at(BOX)) == ((), start)
     assert not pilot.studio.document.history.can_undo
 
 
 def test_a_press_of_the_mouse_lets_go_of_what_keys_hold(pilot: Pilot) -> None:
     pilot.key(Qt.Key.Key_PageDown, CONTROL)
     pilot.click(pilot.nowhere())
-    assert pilot.canvas.hand.carried == -1
+    assert pilot.canvas.hand.carried == ()
     assert pilot.canvas.hand.dragged is None
 
 
 def test_keys_say_why_nothing_is_moved(pilot: Pilot) -> None:
     pilot.studio.selection.select_nodes(())
     pilot.key(Qt.Key.Key_Right, CONTROL)
-    assert [text for text in pilot.said if text.startswith("select an agent, or take a thing")]
+    assert [text for text in pilot.said if text.startswith("select agents, or take a thing")]
     pilot.send(Play(0.25))
     pilot.key(Qt.Key.Key_PageDown, CONTROL)
     assert [text for text in pilot.said if "pause before you move something" in text]

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPoint, Qt
 
 from app.core.project import Demonstration, Project
-from app.engine.commands import MoveEntity, Reset
+from app.engine.commands import MoveEntities, Reset
 from app.engine.demonstrations import recreate
 from app.engine.snapshots import Mode
 from tests.gui.teach.hand import LEFT, Hand
@@ -88,7 +88,7 @@ def test_where_it_would_not_do_the_same_it_is_not_kept_and_that_is_said(hand: Ha
     hand.pick("Forward")
     hand.hold(2)
     assert kept(hand) == ["wander-2"]
-    hand.act(lambda: hand.studio.bridge.send(MoveEntity(3, 10.0, 10.0)))
+    hand.act(lambda: hand.studio.bridge.send(MoveEntities({3: (10.0, 10.0)})))
     hand.hold(1)
     hand.undo()
     hand.pick("RotateLeft")

@@ -11,7 +11,7 @@ from app.editor.timeline.band import HIGH, Band, band_of
 from app.editor.timeline.panel import TimelinePanel
 from app.editor.timeline.strip import DOT, short, step_of
 from app.editor.window.main_window import MainWindow
-from app.engine.commands import GoTo, MoveEntity, Pause, Pick, Play, Step, Teach
+from app.engine.commands import GoTo, MoveEntities, Pause, Pick, Play, Step, Teach
 from app.engine.snapshots import Mode
 from app.sim.doing import StateRef
 from tests.gui.conftest import PATIENCE
@@ -215,7 +215,7 @@ def test_what_came_stays_in_sight_at_tick_0_also_where_something_was_moved(
     bridge = window.studio.bridge
     passes(window, panel, qtbot, 50)
     with qtbot.waitSignal(bridge.event_came, timeout=PATIENCE):
-        bridge.send(MoveEntity(0, 10.0, 10.0))
+        bridge.send(MoveEntities({0: (10.0, 10.0)}))
     passes(window, panel, qtbot, 50)
     end = shown(window)
     bridge.send(GoTo(0))

@@ -11,7 +11,7 @@ from app.core.project import Project
 from app.engine.commands import (
     AskMe,
     LetGo,
-    MoveEntity,
+    MoveEntities,
     Others,
     Pause,
     Pick,
@@ -241,13 +241,13 @@ def test_what_ends_the_question_lets_time_go_on_as_before(command: object) -> No
 def test_moving_what_it_sees_changes_the_question() -> None:
     driver = far().advance(20)
     first = asked(driver)
-    driver.send(MoveEntity(1, 30.0, 0.0))
+    driver.send(MoveEntities({1: (30.0, 0.0)}))
     assert asked(driver).values == {"place": 30.0}
     assert driver.told[-1] == asked(driver) != first
 
 
 def test_moving_what_it_sees_back_among_the_examples_closes_the_question_and_time_waits() -> None:
-    driver = far().send(Play()).advance(20).send(MoveEntity(1, 6.0, 0.0))
+    driver = far().send(Play()).advance(20).send(MoveEntities({1: (6.0, 0.0)}))
     assert (driver.snapshot.asked, driver.session.speed) == (None, 0.0)
     (move,) = [event for event in driver.told if isinstance(event, Moved)]
     driver.send(UndoMove(move.number))

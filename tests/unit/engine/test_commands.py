@@ -13,7 +13,7 @@ from app.core.project import Project
 from app.engine.commands import (
     Command,
     GoTo,
-    MoveEntity,
+    MoveEntities,
     Pause,
     Pick,
     Play,
@@ -114,8 +114,8 @@ def test_a_snapshot_shows_the_world_the_nodes_and_the_measures() -> None:
         (Play(inf), "the speed is inf; allowed: above 0"),
         (Step(0), "a step is of 1 tick or more, but it is 0"),
         (Step(-5), "a step is of 1 tick or more, but it is -5"),
-        (MoveEntity(99, 0.0, 0.0), "there is no entity 99; there are: agent 0 to 1, lamp 2 to 2"),
-        (MoveEntity(0, nan, 0.0), "an entity cannot be put at (nan, 0.0)"),
+        (MoveEntities({99: (0.0, 0.0)}), "there is no entity 99; there are: agent 0 to 1, lamp 2 to 2"),
+        (MoveEntities({0: (nan, 0.0)}), "an entity cannot be put at (nan, 0.0)"),
         (UseArm("desert"), "there is no arm 'desert'; there are: 'alone', 'groups', 'squads'"),
         (UseArm("alone", {"world.depth": 3}), "'depth'"),
         (UseArm("alone", {"depth": 3}), "there is no setting 'depth'"),
@@ -281,7 +281,7 @@ def test_reset_while_it_learns_begins_the_test_in_the_new_world() -> None:
 
 
 def test_an_entity_can_be_moved() -> None:
-    driver = teaching().send(MoveEntity(1, 42.0, 0.0))
+    driver = teaching().send(MoveEntities({1: (42.0, 0.0)}))
     assert driver.place(2) == 42.0
 
 

@@ -10,7 +10,7 @@ from app.engine import keyframes
 from app.engine.commands import (
     Command,
     GoTo,
-    MoveEntity,
+    MoveEntities,
     Pause,
     Play,
     Reset,
@@ -41,7 +41,7 @@ def at(driver: Driver, tick: int) -> Snapshot:
     return driver.look()
 
 
-def straight(ticks: int, arm: str = "squads", hand: dict[int, MoveEntity] | None = None) -> list[Snapshot]:
+def straight(ticks: int, arm: str = "squads", hand: dict[int, MoveEntities] | None = None) -> list[Snapshot]:
     """What is seen before each tick of a run that is never gone back in."""
     driver = Driver(arm=arm, seed=3)
     looks = []
@@ -100,7 +100,7 @@ def test_going_to_where_it_is_arrives_at_once() -> None:
         (UseArm("groups", UNCOMPILED), 0.0, 0),
         (Teach(AGENT, "Shuttle", ("agent-1",)), 0.0, 0),
         (RunArm(), 0.0, 0),
-        (MoveEntity(0, 3.0, 0.0), 0.0, 0),
+        (MoveEntities({0: (3.0, 0.0)}), 0.0, 0),
     ],
     ids=repr,
 )
@@ -115,7 +115,7 @@ def test_another_journey_takes_the_place_of_the_first() -> None:
 
 
 def test_what_was_moved_is_moved_again_when_its_tick_comes() -> None:
-    hand = {30: MoveEntity(0, 77.0, 0.0), 41: MoveEntity(1, 3.0, 0.0)}
+    hand = {30: MoveEntities({0: (77.0, 0.0)}), 41: MoveEntities({1: (3.0, 0.0)})}
     looks = straight(100, hand=hand)
     driver = Driver(arm="squads", seed=3)
     for tick in range(90):
@@ -129,16 +129,27 @@ def test_what_was_moved_is_moved_again_when_its_tick_comes() -> None:
 def test_a_move_in_the_past_makes_another_future() -> None:
     driver = Driver(arm="alone", seed=3).advance(90)
     at(driver, 30)
-    driver.send(MoveEntity(0, 77.0, 0.0)).advance(30)
+    driver.send(MoveEntities({0: (77.0, 0.0)})).advance(30)
     after = driver.look()
-    assert after == straight(61, "alone", {30: MoveEntity(0, 77.0, 0.0)})[60]
+    assert after == straight(61, "alone", {30: MoveEntities({0: (77.0, 0.0)})})[60]
     at(driver, 5)
     assert at(driver, 60) == after
 
 
+def test_several_that_were_moved_at_once_are_moved_again_when_their_tick_comes_or_taken_back_all() -> None:
+    hand = {30: MoveEntities({0: (77.0, 0.0), 1: (3.0, 0.0)})}
+    looks = straight(60, hand=hand)
+    driver = Driver(arm="squads", seed=3).advance(30).send(hand[30]).advance(20)
+    assert at(driver, 10) == looks[10]
+    assert at(driver, 50) == looks[50]
+    at(driver, 10)
+    driver.send(UndoMove(1))
+    assert at(driver, 50) == straight(60)[50]
+
+
 def test_a_move_taken_back_before_a_tick_never_was() -> None:
     looks = straight(60)
-    driver = Driver(arm="squads", seed=3).advance(30).send(MoveEntity(0, 77.0, 0.0)).send(UndoMove(1))
+    driver = Driver(arm="squads", seed=3).advance(30).send(MoveEntities({0: (77.0, 0.0)})).send(UndoMove(1))
     driver.advance(20)
     assert at(driver, 10) == looks[10]
     assert at(driver, 50) == looks[50]
@@ -146,7 +157,7 @@ def test_a_move_taken_back_before_a_tick_never_was() -> None:
 
 def test_a_move_that_is_still_to_come_after_going_back_is_taken_out_of_the_future() -> None:
     looks = straight(60)
-    driver = Driver(arm="squads", seed=3).advance(30).send(MoveEntity(0, 77.0, 0.0)).advance(20)
+    driver = Driver(arm="squads", seed=3).advance(30).send(MoveEntities({0: (77.0, 0.0)})).advance(20)
     at(driver, 10)
     driver.send(UndoMove(1))
     assert at(driver, 10) == looks[10]

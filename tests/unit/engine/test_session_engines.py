@@ -11,7 +11,7 @@ from app.engine.commands import (
     AskMe,
     GoTo,
     LetGo,
-    MoveEntity,
+    MoveEntities,
     Others,
     Pick,
     Reset,
@@ -70,7 +70,7 @@ def hand(engine: str) -> tuple[Project, list[Snapshot]]:
     session.send(Pick("agent-3", "left"))
     seen.append(session.advance(7))
     session.send(RunArm())
-    session.send(MoveEntity(0, 50.0, 60.0))
+    session.send(MoveEntities({0: (50.0, 60.0)}))
     seen += [session.advance(60) for _ in range(3)]
     session.send(Reset(9))
     session.send(Step(3))
@@ -102,7 +102,7 @@ def test_the_past_of_a_compiled_run_is_gone_back_in_exactly(
     seen = {0: session.snapshot()}
     for tick in range(50, 801, 50):
         if tick == 450:
-            session.send(MoveEntity(0, 50.0, 60.0))
+            session.send(MoveEntities({0: (50.0, 60.0)}))
         seen[tick] = session.advance(50)
     for tick in (50, 750, 400, 450, 500, 100, 800, 0, 650):
         session.send(GoTo(tick))

@@ -6,7 +6,7 @@ import pytest
 
 from app.core.project import Arm, LevelTable, Project, Value
 from app.core.vocabulary import NO_ENTITY
-from app.engine.commands import MoveEntity, Pick, Reset, Teach, UseArm, Watch
+from app.engine.commands import MoveEntities, Pick, Reset, Teach, UseArm, Watch
 from app.engine.session import Session
 from app.engine.snapshots import BehaviorRef, Snapshot, StateRef
 from app.sim.scenarios.foraging import scenario as foraging
@@ -68,7 +68,7 @@ def test_a_place_stays_the_same_while_its_world_lives() -> None:
     place = running.snapshot().place
     running.send(Teach(AGENT, "Forage", ("agent-1",)))
     running.send(Pick("agent-1", "wander"))
-    running.send(MoveEntity(0, 3.0, 4.0))
+    running.send(MoveEntities({0: (3.0, 4.0)}))
     assert running.advance(3).place is place
     running.send(Reset())
     again = running.advance(0).place

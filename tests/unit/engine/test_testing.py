@@ -7,7 +7,7 @@ import pytest
 from app.core.automaton import START, Automaton, Refit, Settings
 from app.core.edits import bind_state, disable_examples, enable_examples, remove_state
 from app.core.features import FlagUp
-from app.engine.commands import MoveEntity, Others, Pick, Play, ShouldNotHaveLeft
+from app.engine.commands import MoveEntities, Others, Pick, Play, ShouldNotHaveLeft
 from app.engine.commands import Test as LearnAndTest
 from app.engine.snapshots import Mode, Relearned
 from tests.corridor import PLACE, project, to
@@ -259,7 +259,7 @@ def test_what_was_left_in_an_earlier_test_is_not_mended_in_the_next() -> None:
 def test_a_model_that_is_fitted_again_does_not_change_before_the_next_test() -> None:
     driver = in_a_test(settings=Settings(classifier="knn", options={"neighbors": 1})).reset()
     assert driver.automaton.learned["up"] == Refit("knn")
-    driver.send(MoveEntity(1, 0.0, 0.0)).advance(2).pick("down", "agent-2")  # where agent 1 is, too
+    driver.send(MoveEntities({1: (0.0, 0.0)})).advance(2).pick("down", "agent-2")  # where agent 1 is, too
     assert driver.advance().view("agent-1").basic == "Up"
     driver.test().reset()
     assert driver.does(3, "agent-1") == ["Up", "Up", "Down"]

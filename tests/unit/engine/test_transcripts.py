@@ -19,7 +19,7 @@ from app.core.edits.arms import replace_arm
 from app.core.features import Ground
 from app.core.project import Demonstration, Project
 from app.engine import commands
-from app.engine.commands import AskMe, GoTo, MoveEntity, Others, Pick, RedoMove, RunArm, UndoMove
+from app.engine.commands import AskMe, GoTo, MoveEntities, Others, Pick, RedoMove, RunArm, UndoMove
 from app.engine.demonstrations import play, recreate
 from app.engine.transcript import Transcript
 from app.learner.trainer import apply, learn
@@ -206,9 +206,15 @@ def test_teaching_goes_on_after_a_test() -> None:
 
 
 def test_what_was_moved_before_and_in_a_lesson_is_moved_again() -> None:
-    driver = Driver().send(RunArm()).send(MoveEntity(1, 7.0, 0.0)).advance(3).send(MoveEntity(0, 2.0, 0.0))
+    driver = (
+        Driver()
+        .send(RunArm())
+        .send(MoveEntities({1: (7.0, 0.0)}))
+        .advance(3)
+        .send(MoveEntities({0: (2.0, 0.0)}))
+    )
     driver.teach("agent-1", "Shuttle", demonstration="shuttle-1").pick("up").advance(4)
-    driver.send(MoveEntity(0, 3.0, 0.0)).pick("down").advance(2).send(MoveEntity(0, 9.0, 0.0))
+    driver.send(MoveEntities({0: (3.0, 0.0)})).pick("down").advance(2).send(MoveEntities({0: (9.0, 0.0)}))
     moved = [(act.tick, act.entity, act.x, act.y) for act in kept(driver).picks if act.act == "move"]
     # What comes after the last pick is no part.
     assert moved == [(0, 1, 7.0, 0.0), (3, 0, 2.0, 0.0), (7, 0, 3.0, 0.0)]
@@ -218,17 +224,36 @@ def test_what_was_moved_before_and_in_a_lesson_is_moved_again() -> None:
 
 def test_a_move_that_is_undone_at_once_was_never_made_and_one_done_again_was() -> None:
     driver = (
-        lesson().pick("up").advance(4).send(MoveEntity(0, 3.0, 0.0)).send(UndoMove(1)).pick("down").advance()
+        lesson()
+        .pick("up")
+        .advance(4)
+        .send(MoveEntities({0: (3.0, 0.0)}))
+        .send(UndoMove(1))
+        .pick("down")
+        .advance()
     )
     assert "4 move" not in acts(driver)
-    driver = lesson().pick("up").advance(4).send(MoveEntity(0, 3.0, 0.0)).send(UndoMove(1)).send(RedoMove(1))
+    driver = (
+        lesson().pick("up").advance(4).send(MoveEntities({0: (3.0, 0.0)})).send(UndoMove(1)).send(RedoMove(1))
+    )
     driver.pick("down").advance()
     assert "4 move" in acts(driver)
     check(driver)
 
 
+def test_several_that_were_moved_at_once_are_kept_as_moves_of_one_tick_and_undone_as_one() -> None:
+    both = MoveEntities({0: (3.0, 0.0), 1: (9.0, 0.0)})
+    driver = lesson().pick("up").advance(4).send(both).pick("down").advance()
+    moved = [(act.tick, act.entity, act.x) for act in kept(driver).picks if act.act == "move"]
+    assert moved == [(4, 0, 3.0), (4, 1, 9.0)]
+    check(driver)
+    driver = lesson().pick("up").advance(4).send(both).send(UndoMove(1)).pick("down").advance()
+    assert "4 move" not in acts(driver)
+    check(driver)
+
+
 def test_a_move_before_the_run_was_gone_back_in_is_not_played() -> None:
-    driver = Driver().send(RunArm()).advance(5).send(MoveEntity(0, 3.0, 0.0)).send(GoTo(2)).advance(3)
+    driver = Driver().send(RunArm()).advance(5).send(MoveEntities({0: (3.0, 0.0)})).send(GoTo(2)).advance(3)
     driver.teach("agent-1", "Shuttle", demonstration="shuttle-1").pick("up").advance()
     assert "gone back in" in driver.obstacle
 
@@ -241,7 +266,7 @@ def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
 @pytest.mark.parametrize(
     ("spoil", "why"),
     [
-        (lambda d: [d.send(MoveEntity(0, 40.0, 0.0)).advance(), d.send(UndoMove(1))], "moved back"),
+        (lambda d: [d.send(MoveEntities({0: (40.0, 0.0)})).advance(), d.send(UndoMove(1))], "moved back"),
         (lambda d: d.undo().advance().redo(), "done again later"),
         (lambda d: d.reset(2), "begun again"),
         (lambda d: d.edit(note_state, *SHUTTLE, "up", "a note"), "behaviors were changed"),

@@ -6,7 +6,7 @@ from app.editor.canvas.gestures import Button, Choosing, Gesture, Pointer, Resti
 
 
 class Notes:
-    """A stage with one entity, number 7, at (50, 50)."""
+    """A stage with one entity, number 7, at (50, 50), with which number 8 is moved."""
 
     def __init__(self, *, running: bool = False) -> None:
         self.said: list[tuple[object, ...]] = []
@@ -44,11 +44,14 @@ class Notes:
     def drop_band(self) -> None:
         self.said.append(("drop band",))
 
-    def preview(self, entity: int, at: Pointer) -> None:
-        self.said.append(("preview", entity, at.x, at.y))
+    def together(self, entity: int) -> tuple[int, ...]:
+        return entity, 8
 
-    def put(self, entity: int, at: Pointer) -> None:
-        self.said.append(("put", entity, at.x, at.y))
+    def preview(self, held: tuple[int, ...], at: Pointer) -> None:
+        self.said.append(("preview", held, at.x, at.y))
+
+    def put(self, held: tuple[int, ...], at: Pointer) -> None:
+        self.said.append(("put", held, at.x, at.y))
 
     def drop_preview(self) -> None:
         self.said.append(("drop preview",))
@@ -91,7 +94,8 @@ def test_a_press_that_hardly_moves_is_a_click() -> None:
 
 def test_a_drag_of_an_entity_previews_and_puts_it_once() -> None:
     driver = Driver().pointer_down(50, 50).pointer_move(70, 50).pointer_move(90, 60).pointer_up(90, 60)
-    driver.expect(("preview", 7, 70, 50), ("preview", 7, 90, 60), ("put", 7, 90, 60))
+    both = (7, 8)
+    driver.expect(("preview", both, 70, 50), ("preview", both, 90, 60), ("put", both, 90, 60))
     assert driver.gesture == Resting()
 
 
@@ -99,7 +103,7 @@ def test_a_canceled_drag_puts_nothing_however_the_mouse_goes_on() -> None:
     driver = (
         Driver().pointer_down(50, 50).pointer_move(70, 50).escape().pointer_move(99, 99).pointer_up(99, 99)
     )
-    driver.expect(("preview", 7, 70, 50), ("drop preview",))
+    driver.expect(("preview", (7, 8), 70, 50), ("drop preview",))
     assert driver.gesture == Resting()
 
 
