@@ -130,8 +130,93 @@ def _clamped(value, high):  # type: ignore[no-untyped-def]
     return min(value, high)
 
 
+@njit(forceinline=True)
+def _wandering(doing, passed, key, now, me):  # type: ignore[no-untyped-def]
+    """What Wander does next while no box is in sight, *passed* ticks after it began to do what it does."""
+    if doing == WANDER:
+        if passed <= 179:
+            return WANDER
+        return WANDER_LEFT if draw(key, now, me, _WANDER_DRAW) < 0.5 else WANDER_RIGHT
+    return WANDER if (doing == WANDER_LEFT and passed > 29) or passed > 39 else doing
+
+
+@njit
+def _list_open(sizes, x, y, needed, pulling, open_box, open_x, open_y):  # type: ignore[no-untyped-def]
+    """Write down which boxes need pullers, and where they are; how many there are."""
+    _, first_box, end_box, _ = sizes
+    opened = 0
+    for box in range(first_box, end_box):
+        if pulling[box] < needed[box]:
+            open_box[opened] = box
+            open_x[opened] = x[box]
+            open_y[opened] = y[box]
+            opened += 1
+    return opened
+
+
+@njit
+def _attach(clock, grabs, wanted, grabbing, held, needed, pulling):  # type: ignore[no-untyped-def]
+    """Attach those who grab, the lowest draws where more grab than a box needs; how many boxes are full by that."""
+    for k in range(grabbing):
+        box = wanted[k]
+        mine = uniform(clock, grabs[k], _CLAIM)
+        before = pulling[box]
+        for other in range(grabbing):
+            if other != k and wanted[other] == box:
+                theirs = uniform(clock, grabs[other], _CLAIM)
+                before += theirs < mine or (theirs == mine and other < k)
+        if before < needed[box]:
+            held[grabs[k]] = box
+    filled = 0
+    for k in range(grabbing):
+        if held[grabs[k]] == wanted[k]:
+            pulling[wanted[k]] += 1
+            filled += pulling[wanted[k]] == needed[wanted[k]]
+    return filled
+
+
+@njit
+def _carry(box, sx, sy, agents, numbers, x, y, held):  # type: ignore[no-untyped-def]
+    """Move a box one step along the sum of its pullers' headings, and all who hold it, as far as the walls allow."""
+    width, height, step, _, _, _, _ = numbers
+    length = sqrt(sx * sx + sy * sy)
+    if length <= 1e-9:
+        return
+    bx = _clamped(x[box] + step * sx / length, width)
+    by = _clamped(y[box] + step * sy / length, height)
+    dx = bx - x[box]
+    dy = by - y[box]
+    x[box] = bx
+    y[box] = by
+    for me in range(agents):
+        if held[me] == box:
+            x[me] = _clamped(x[me] + dx, width)
+            y[me] = _clamped(y[me] + dy, height)
+
+
+@njit
+def _deliver(box, sizes, numbers, clock, x, y, held, pulling):  # type: ignore[no-untyped-def]
+    """Release all who hold a box that is at the deposit, and place it anew."""
+    agents, _, _, deposit = sizes
+    width, height, _, _, _, _, deposit_range = numbers
+    home_x, home_y = x[deposit], y[deposit]
+    pulling[box] = 0
+    for me in range(agents):
+        if held[me] == box:
+            held[me] = _NOBODY
+    for k in range(_TRIES):
+        x[box] = uniform(clock, box, _PLACE_BOX_ANEW + 2 * k) * width
+        y[box] = uniform(clock, box, _PLACE_BOX_ANEW + 2 * k + 1) * height
+        dx = home_x - x[box]
+        dy = home_y - y[box]
+        if sqrt(dx * dx + dy * dy) > deposit_range:
+            return
+    x[box] = width if 2.0 * home_x < width else 0.0
+    y[box] = height if 2.0 * home_y < height else 0.0
+
+
 @njit(nogil=True, cache=True)
-def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR0917 - calls would cost what it is to measure
+def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR0917 - calls with arrays would cost what it is to measure
     ticks,
     sizes,
     numbers,
@@ -167,16 +252,8 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
         clock[2] = now
         if not settled:
             settled = True
-            opened = 0
-            full = 0
-            for box in range(first_box, end_box):
-                if pulling[box] < needed[box]:
-                    open_box[opened] = box
-                    open_x[opened] = x[box]
-                    open_y[opened] = y[box]
-                    opened += 1
-                else:
-                    full += 1
+            opened = _list_open(sizes, x, y, needed, pulling, open_box, open_x, open_y)
+            full = end_box - first_box - opened
         grabbing = 0
         for me in range(agents):
             state = doing[me]
@@ -191,14 +268,10 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
                     dy = open_y[k] - my
                     seen |= dx * dx + dy * dy <= sight_squared
                 if seen == 0:
-                    passed = now - since[me]
-                    if state == WANDER:
-                        if passed > 179:
-                            since[me] = now
-                            state = WANDER_LEFT if draw(key, now, me, _WANDER_DRAW) < 0.5 else WANDER_RIGHT
-                    elif (state == WANDER_LEFT and passed > 29) or passed > 39:
+                    following = _wandering(state, now - since[me], key, now, me)
+                    if following != state:
                         since[me] = now
-                        state = WANDER
+                        state = following
                     act = state
                 else:
                     state = TO_BOX
@@ -259,20 +332,7 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
                 fresh[me] = 0
         if grabbing > 0:
             settled = False
-            for k in range(grabbing):
-                box = wanted[k]
-                mine = uniform(clock, grabs[k], _CLAIM)
-                before = pulling[box]
-                for other in range(grabbing):
-                    if other != k and wanted[other] == box:
-                        theirs = uniform(clock, grabs[other], _CLAIM)
-                        before += theirs < mine or (theirs == mine and other < k)
-                if before < needed[box]:
-                    held[grabs[k]] = box
-            for k in range(grabbing):
-                if held[grabs[k]] == wanted[k]:
-                    pulling[wanted[k]] += 1
-                    full += pulling[wanted[k]] == needed[wanted[k]]
+            full += _attach(clock, grabs, wanted, grabbing, held, needed, pulling)
         if full > 0:
             for box in range(first_box, end_box):
                 if pulling[box] >= needed[box]:
@@ -286,38 +346,14 @@ def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR09
                                 sine[me] = sin(heading[me])
                             sx += cosine[me]
                             sy += sine[me]
-                    length = sqrt(sx * sx + sy * sy)
-                    if length > 1e-9:
-                        bx = _clamped(x[box] + step * sx / length, width)
-                        by = _clamped(y[box] + step * sy / length, height)
-                        dx = bx - x[box]
-                        dy = by - y[box]
-                        x[box] = bx
-                        y[box] = by
-                        for me in range(agents):
-                            if held[me] == box:
-                                x[me] = _clamped(x[me] + dx, width)
-                                y[me] = _clamped(y[me] + dy, height)
+                    _carry(box, sx, sy, agents, numbers, x, y, held)
                     dx = home_x - x[box]
                     dy = home_y - y[box]
                     if sqrt(dx * dx + dy * dy) <= deposit_range:
                         settled = False
                         boxes[0] += 1.0
                         weight[0] += needed[box]
-                        pulling[box] = 0
-                        for me in range(agents):
-                            if held[me] == box:
-                                held[me] = -1
-                        tries = 0
-                        while tries < _TRIES:
-                            x[box] = uniform(clock, box, _PLACE_BOX_ANEW + 2 * tries) * width
-                            y[box] = uniform(clock, box, _PLACE_BOX_ANEW + 2 * tries + 1) * height
-                            dx = home_x - x[box]
-                            dy = home_y - y[box]
-                            tries = _TRIES + 1 if sqrt(dx * dx + dy * dy) > deposit_range else tries + 1
-                        if tries == _TRIES:
-                            x[box] = width if 2.0 * home_x < width else 0.0
-                            y[box] = height if 2.0 * home_y < height else 0.0
+                        _deliver(box, sizes, numbers, clock, x, y, held, pulling)
     clock[2] = first + ticks
 
 
