@@ -36,6 +36,7 @@ Role = QPalette.ColorRole
 #: Our colors by the roles that Qt's own painting has for them, and by some that it has no use for.
 PANEL_ROLE, RAISED_ROLE, WORDS_ROLE, ACCENT_ROLE = Role.Window, Role.Base, Role.WindowText, Role.Highlight
 BACKGROUND_ROLE, HAIRLINE_ROLE, DIM_ROLE = Role.Shadow, Role.Mid, Role.PlaceholderText
+ON_ACCENT_ROLE = Role.HighlightedText
 HOVERED_ROLE, CHOSEN_ROLE, HANDLE_ROLE, OFF_ROLE = (
     Role.Midlight,
     Role.LinkVisited,
@@ -61,6 +62,7 @@ def _in_palette(role: QPalette.ColorRole) -> str:
 
 PANEL, RAISED, WORDS, ACCENT = map(_in_palette, (PANEL_ROLE, RAISED_ROLE, WORDS_ROLE, ACCENT_ROLE))
 BACKGROUND, HAIRLINE, DIM = map(_in_palette, (BACKGROUND_ROLE, HAIRLINE_ROLE, DIM_ROLE))
+ON_ACCENT = _in_palette(ON_ACCENT_ROLE)
 HOVERED, CHOSEN, HANDLE, OFF = map(_in_palette, (HOVERED_ROLE, CHOSEN_ROLE, HANDLE_ROLE, OFF_ROLE))
 
 
@@ -97,6 +99,9 @@ QListWidget QLineEdit {{ border: none; border-radius: 0; padding: 0 3px; }}
 QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {HOVERED}; }}
 QPushButton:focus, QToolButton:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus {{
     border-color: {ACCENT}; }}
+QPushButton:default {{ background: {ACCENT}; border-color: {ACCENT}; color: {ON_ACCENT}; }}
+QPushButton:default:hover, QPushButton:default:focus {{ border-color: {WORDS}; }}
+QPushButton:default:disabled {{ border-color: {HAIRLINE}; color: {OFF}; }}
 QPushButton:checked, QToolButton:checked {{ background: {CHOSEN}; border-color: {ACCENT}; }}
 QPushButton:disabled, QToolButton:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled {{ background: {PANEL}; }}
 QSplitter::handle:horizontal {{ background: {HAIRLINE}; width: 5px; margin: 0 2px; }}

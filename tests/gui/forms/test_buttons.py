@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QApplication,
     QDialog,
     QDialogButtonBox,
     QLineEdit,
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app.editor.forms.buttons import stand_back
+from app.editor.theme import Theme, ThemeMode
 
 
 class Asking(QDialog):
@@ -58,3 +60,22 @@ def test_enter_in_a_field_presses_the_standard_button(asking: Asking, qtbot: QtB
     asking.field.setFocus()
     qtbot.keyClick(asking.field, Qt.Key.Key_Return)
     assert asking.pressed == ["ok"]
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_the_button_that_enter_presses_is_the_one_that_stands_out(
+    asking: Asking, qapp: QApplication, mode: ThemeMode
+) -> None:
+    theme = Theme(qapp, mode)
+    theme.dress(asking)
+    asking.parts["ok"].setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def ground(name: str) -> str:
+        part = asking.parts[name]
+        return part.grab().toImage().pixelColor(part.width() // 2, 4).name()
+
+    assert ground("ok") == theme.palette.accent
+    assert ground("browse") == theme.palette.raised
+    asking.parts["ok"].setEnabled(False)
+    assert ground("ok") == theme.palette.panel
+    theme.use(ThemeMode.LIGHT)
