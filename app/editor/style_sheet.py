@@ -51,7 +51,7 @@ def style_sheet(caption: int) -> str:
     Args:
         caption: Pixels of captions.
     """
-    return f"{_rules(caption)}\n{_pictures()}"
+    return "\n".join((_WINDOW, _FIELDS, _LISTS, _MENUS, _SWITCHES, _roles(caption), _pictures()))
 
 
 def _in_palette(role: QPalette.ColorRole) -> str:
@@ -76,8 +76,8 @@ def _pictures() -> str:
     )
 
 
-def _rules(caption: int) -> str:
-    return f"""
+#: The window, its bars, and what lies between its panels.
+_WINDOW = f"""
 QMainWindow, QMenuBar, QStatusBar {{ background: {BACKGROUND}; }}
 QMenuBar {{ padding: 2px 4px; }}
 QMenuBar::item {{ background: transparent; padding: 5px 8px; border-radius: 5px; }}
@@ -92,6 +92,12 @@ QToolBar::separator {{ background: {HAIRLINE}; width: 1px; margin: 5px 3px; }}
 QToolBar QToolButton {{ padding: 4px 7px; }}
 QToolBar #qt_toolbar_ext_button {{ padding: 0; border: none; background: transparent; }}
 QToolTip {{ background: {RAISED}; color: {WORDS}; border: 1px solid {HAIRLINE}; padding: 4px; }}
+QSplitter::handle:horizontal {{ background: {HAIRLINE}; width: 5px; margin: 0 2px; }}
+QSplitter::handle:vertical {{ background: {HAIRLINE}; height: 5px; margin: 2px 0; }}
+QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
+"""
+#: Buttons and what is typed or chosen in.
+_FIELDS = f"""
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {HAIRLINE};
     border-radius: 6px; padding: 3px 8px; background: {RAISED}; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
@@ -104,8 +110,6 @@ QPushButton:default:hover, QPushButton:default:focus {{ border-color: {WORDS}; }
 QPushButton:default:disabled {{ border-color: {HAIRLINE}; color: {OFF}; }}
 QPushButton:checked, QToolButton:checked {{ background: {CHOSEN}; border-color: {ACCENT}; }}
 QPushButton:disabled, QToolButton:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled {{ background: {PANEL}; }}
-QSplitter::handle:horizontal {{ background: {HAIRLINE}; width: 5px; margin: 0 2px; }}
-QSplitter::handle:vertical {{ background: {HAIRLINE}; height: 5px; margin: 2px 0; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {HOVERED}; }}
 QToolButton[flat="true"]:focus {{ border: 1px solid {ACCENT}; padding: 2px; }}
@@ -123,6 +127,9 @@ QAbstractSpinBox::down-arrow {{ width: 10px; height: 10px; }}
 QToolButton[popupMode="2"] {{ padding-right: 18px; }}
 QToolButton::menu-indicator {{ width: 10px; height: 10px;
     subcontrol-position: right center; right: 5px; }}
+"""
+#: Lists, tables, scroll bars and tabs.
+_LISTS = f"""
 QTreeView {{ selection-background-color: {CHOSEN}; selection-color: {WORDS}; }}
 QAbstractScrollArea::corner {{ background: transparent; border: none; }}
 QScrollBar:vertical {{ background: transparent; width: 10px; margin: 0; }}
@@ -132,24 +139,11 @@ QScrollBar::handle:vertical {{ min-height: 24px; }}
 QScrollBar::handle:horizontal {{ min-width: 24px; }}
 QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
 QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
-QMenu {{ background: {RAISED}; border: 1px solid {HAIRLINE}; padding: 4px; }}
-QMenu::item {{ padding: 5px 24px 5px 10px; border-radius: 4px; }}
-QMenu::item:selected {{ background: {CHOSEN}; color: {WORDS}; }}
-QMenu::item:disabled {{ color: {OFF}; }}
-QMenu::separator {{ background: {HAIRLINE}; height: 1px; margin: 4px 6px; }}
-QMenu::icon {{ padding-left: 8px; }}
 QTreeView, QTableView, QListView, QScrollArea, QPlainTextEdit, QTextBrowser {{ border: none;
     background: {PANEL}; }}
 QTreeView::item, QListView::item {{ padding: 3px 2px; }}
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {{ background: {CHOSEN};
     color: {WORDS}; }}
-QCheckBox::indicator, QListView::indicator, QTableView::indicator, QTreeView::indicator {{
-    width: 12px; height: 12px; border: 1px solid {DIM}; border-radius: 4px; background: {RAISED}; }}
-QCheckBox::indicator:checked, QListView::indicator:checked, QTableView::indicator:checked, QTreeView::indicator:checked {{
-    border-color: {ACCENT}; background: {ACCENT}; }}
-QCheckBox::indicator:disabled {{ border-color: {HAIRLINE}; background: {PANEL}; }}
-QCheckBox::indicator:checked:disabled {{ background: {HANDLE}; }}
-QCheckBox::indicator:focus {{ border-color: {ACCENT}; }}
 QHeaderView::section {{ background: {PANEL}; color: {DIM}; border: none;
     border-bottom: 1px solid {HAIRLINE}; padding: 4px 6px; }}
 QTabBar::tab {{ background: transparent; color: {DIM}; padding: 6px 10px; border: none;
@@ -157,6 +151,26 @@ QTabBar::tab {{ background: transparent; color: {DIM}; padding: 6px 10px; border
 QTabBar::tab:selected {{ color: {WORDS}; border-bottom: 2px solid {ACCENT}; }}
 QTabBar::tab:hover {{ color: {WORDS}; }}
 QTabBar::tab:selected:focus {{ background: {CHOSEN}; }}
+QTableView, QTreeView, QListView {{ outline: none; }}
+"""
+#: Menus.
+_MENUS = f"""
+QMenu {{ background: {RAISED}; border: 1px solid {HAIRLINE}; padding: 4px; }}
+QMenu::item {{ padding: 5px 24px 5px 10px; border-radius: 4px; }}
+QMenu::item:selected {{ background: {CHOSEN}; color: {WORDS}; }}
+QMenu::item:disabled {{ color: {OFF}; }}
+QMenu::separator {{ background: {HAIRLINE}; height: 1px; margin: 4px 6px; }}
+QMenu::icon {{ padding-left: 8px; }}
+"""
+#: Boxes that are checked, and sliders.
+_SWITCHES = f"""
+QCheckBox::indicator, QListView::indicator, QTableView::indicator, QTreeView::indicator {{
+    width: 12px; height: 12px; border: 1px solid {DIM}; border-radius: 4px; background: {RAISED}; }}
+QCheckBox::indicator:checked, QListView::indicator:checked, QTableView::indicator:checked, QTreeView::indicator:checked {{
+    border-color: {ACCENT}; background: {ACCENT}; }}
+QCheckBox::indicator:disabled {{ border-color: {HAIRLINE}; background: {PANEL}; }}
+QCheckBox::indicator:checked:disabled {{ background: {HANDLE}; }}
+QCheckBox::indicator:focus {{ border-color: {ACCENT}; }}
 QSlider::groove:horizontal {{ height: 4px; border-radius: 2px; background: {HAIRLINE}; }}
 QSlider::sub-page:horizontal {{ border-radius: 2px; background: {ACCENT}; }}
 QSlider::handle:horizontal {{ width: 12px; margin: -5px 0; border-radius: 7px; background: {ACCENT};
@@ -165,12 +179,16 @@ QSlider::handle:horizontal:hover {{ background: {HOVERED}; }}
 QSlider::handle:horizontal:focus {{ background: {RAISED}; border: 2px solid {ACCENT}; width: 10px; }}
 QSlider::sub-page:horizontal:disabled {{ background: {HANDLE}; }}
 QSlider::handle:horizontal:disabled {{ background: {PANEL}; border-color: {HANDLE}; }}
-QTableView, QTreeView, QListView {{ outline: none; }}
-QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
+"""
+
+
+def _roles(caption: int) -> str:
+    """What the property "role" makes of a widget."""
+    return f"""
 QPlainTextEdit[role="details"] {{ background: {RAISED}; border: 1px solid {HAIRLINE};
     border-radius: 6px; padding: 4px; }}
 QLabel[role="caption"] {{ color: {DIM}; font-size: {caption}px; }}
 QLabel[role="empty"] {{ color: {DIM}; }}
 QLabel[role="title"] {{ font-weight: 600; }}
 QFrame[role="hairline"] {{ background: {HAIRLINE}; border: none; }}
-""".strip()
+"""
