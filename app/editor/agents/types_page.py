@@ -56,6 +56,11 @@ class TypesPage(QWidget):
         self.below.itemChanged.connect(self._checked)
         framed(self.below, studio.theme)
         self.trouble = Complaint(studio.theme)
+        self._lay_out()
+        studio.document.project_changed.connect(self.refresh)
+        self.refresh()
+
+    def _lay_out(self) -> None:
         left, right = QVBoxLayout(), QVBoxLayout()
         for part in (left, right):
             part.setSpacing(8)  # rather than that of the columns
@@ -76,8 +81,6 @@ class TypesPage(QWidget):
         column = QVBoxLayout(self)
         column.addLayout(both, 1)
         column.addWidget(self.trouble)
-        studio.document.project_changed.connect(self.refresh)
-        self.refresh()
 
     @property
     def _type(self) -> NodeType | None:

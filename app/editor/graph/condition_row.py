@@ -4,14 +4,7 @@ from dataclasses import replace
 from math import degrees, radians
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from ...core.conditions import AtMost, Condition, Equals, InArc
 from ...core.features import FeatureUse, Source
@@ -71,24 +64,27 @@ class ConditionRow(QWidget):
         first.addWidget(self.what, 2)
         self.how = ListChoice()
         self.how.setAccessibleName("Comparison")
-        self.numbers: list[NumberField] = []
         self.how.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.how.setMinimumContentsLength(6)
         self._layout.addWidget(self.how, 2)
+        self.numbers: list[NumberField] = []
         self._fill()
         if isinstance(condition.test, InArc) or self._is_long(use.shown):  # too much for one line
             self._layout.setContentsMargins(24, 0, 0, 0)
             column.addLayout(self._layout)
         else:
             first.addLayout(self._layout, 3)
+        first.addWidget(self._remove_button())
+        self.what.activated.connect(self._what_chosen)
+
+    def _remove_button(self) -> QToolButton:
         remove = QToolButton()
         remove.setText("✕")
         remove.setProperty("flat", "true")
         remove.setToolTip("Remove this test")
         remove.setAccessibleName("Remove this test")
         remove.clicked.connect(self.removed)
-        first.addWidget(remove)
-        self.what.activated.connect(self._what_chosen)
+        return remove
 
     def _is_long(self, name: str) -> bool:
         """Whether what is tested would be cut off beside the comparison."""

@@ -52,12 +52,7 @@ class GeneralPage(QWidget):
         self.name_trouble = Complaint(theme)
         self.name.textEdited.connect(self._name_typed)
         self.name.editingFinished.connect(self._name_done)
-        self.types = ListChoice()
-        self.types.setAccessibleName("Node type")
-        self.types.setToolTip("Whose behavior it is: each node type has a library of its own")
-        self.types.addItems(types)
-        self.types.setCurrentText(editing.type)
-        self.types.activated.connect(lambda _: self.type_chosen.emit(self.types.currentText()))
+        self.types = self._types(types)
         self.parameters = OrderedList("Parameters", theme, editable=True, empty=EMPTY)
         self.parameters.setMaximumHeight(130)
         self.parameters.removed.connect(self._remove)
@@ -77,6 +72,15 @@ class GeneralPage(QWidget):
         self._lay_out(bool(types))
         editing.changed.connect(self.refresh)
         self.refresh()
+
+    def _types(self, types: tuple[str, ...]) -> ListChoice:
+        choice = ListChoice()
+        choice.setAccessibleName("Node type")
+        choice.setToolTip("Whose behavior it is: each node type has a library of its own")
+        choice.addItems(types)
+        choice.setCurrentText(self._editing.type)
+        choice.activated.connect(lambda _: self.type_chosen.emit(choice.currentText()))
+        return choice
 
     def _lay_out(self, choose_type: bool) -> None:  # noqa: FBT001 - a private step of the constructor
         form = QFormLayout()

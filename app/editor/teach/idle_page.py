@@ -46,6 +46,12 @@ class IdlePage(QWidget):
         filed = QLabel("demonstration")
         filed.setProperty("role", "caption")
         self._filing = filed, self.filed, self.keep
+        self._lay_out()
+        for signal in (studio.changed, studio.teaching.changed):
+            signal.connect(self.refresh)
+        self.refresh()
+
+    def _lay_out(self) -> None:
         first, second = QHBoxLayout(), QHBoxLayout()
         first.setSpacing(16)
         first.addWidget(self.words, 1)
@@ -60,9 +66,6 @@ class IdlePage(QWidget):
         layout.addLayout(first)
         layout.addLayout(second)
         layout.addStretch(1)
-        for signal in (studio.changed, studio.teaching.changed):
-            signal.connect(self.refresh)
-        self.refresh()
 
     def refresh(self) -> None:
         """Say it anew."""

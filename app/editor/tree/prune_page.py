@@ -63,6 +63,15 @@ class PrunePage(QWidget):
             "Prune all transitions that fewer examples speak for, in all states of the behavior"
         )
         self.weak.clicked.connect(self._prune_weak)
+        self._nothing = QLabel(NOTHING)
+        self._nothing.setProperty("role", "empty")
+        self._nothing.setWordWrap(True)
+        self._nothing.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._lay_out()
+        self.listed.currentRowChanged.connect(lambda row: self.back.setEnabled(row >= 0))
+        self.listed.itemActivated.connect(lambda _: self._show_state())
+
+    def _lay_out(self) -> None:
         below = QHBoxLayout()
         below.addWidget(self.back)
         below.addStretch(1)
@@ -71,15 +80,9 @@ class PrunePage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 0, 8, 4)
         column.setSpacing(4)
-        self._nothing = QLabel(NOTHING)
-        self._nothing.setProperty("role", "empty")
-        self._nothing.setWordWrap(True)
-        self._nothing.setAlignment(Qt.AlignmentFlag.AlignTop)
         column.addWidget(self._nothing, 1)
         column.addWidget(self.listed, 1)
         column.addLayout(below)
-        self.listed.currentRowChanged.connect(lambda row: self.back.setEnabled(row >= 0))
-        self.listed.itemActivated.connect(lambda _: self._show_state())
 
     @property
     def count(self) -> int:
