@@ -44,7 +44,7 @@ class PlotsPanel(QWidget):
     def __init__(self, studio: Studio) -> None:
         super().__init__()
         self._studio = studio
-        self._record = Record()
+        self._record = Record()  # one of its own: cleared, it is as fine again as at the beginning
         self._lines = Lines(BehaviorShares())
         self.view: LinesView | None = None
         self.what = self._box("What is plotted", 20)
