@@ -1,7 +1,6 @@
 """What tests say about each other: whether some that are met leave no choice about another."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from .conditions import AtMost, Condition, Equals, Guard
 
@@ -25,8 +24,3 @@ def _implies(fact: Condition, condition: Condition) -> bool:
 def guard_implied(guard: Guard, known: Guard) -> bool:
     """Whether *guard* is surely met where all that is *known* holds."""
     return all(implied(condition, known) for condition in guard)
-
-
-def guard_excluded(guard: Guard, known: Guard) -> bool:
-    """Whether *guard* is surely not met where all that is *known* holds."""
-    return any(implied(replace(condition, wanted=not condition.wanted), known) for condition in guard)

@@ -65,15 +65,6 @@ def fill_values(
     return Filled(set_values(project, type_name, automaton_id, found) if found else project, missed, found)
 
 
-def read_values(project: Project, scenario: Scenario, automaton: Automaton, example: Example) -> Values:
-    """All of the automaton's features as they were when *example* was recorded.
-
-    Raises:
-        UnderstudyError: The moment is not stored, or no longer fits the project.
-    """
-    return _Moments(project, scenario).values(automaton, example)
-
-
 class _Moments:
     """Worlds as they were; the last one is kept, since the examples of a pick share theirs."""
 

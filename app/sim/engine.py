@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..core.actor import Actor
 from ..core.hierarchy import Hierarchy
 from ..core.library import Types
-from ..core.machine import Arguments, Leaving, Machine, Senses
+from ..core.machine import Arguments, Machine, Senses
 from ..core.project import Value
 from .doing import Doing
 from .scenario import Scenario
@@ -158,7 +158,3 @@ class Engine(Protocol):
     @property
     def progressed(self) -> int:
         """The tick of the last progress, -1 if there was none."""
-
-
-#: Makes an engine; *leaving* is told of every change of state at the top of a node, before it happens.
-MakeEngine = Callable[[Start, Leaving | None], Engine]

@@ -335,11 +335,6 @@ class GraphView(DiagramView):
         """From now on, choosing a state draws a transition to it, until Escape."""
         self._linking_from = self._graph.current
 
-    @property
-    def linking_from(self) -> Path | None:
-        """The state from which a transition is being drawn by keys."""
-        return self._linking_from
-
     def _enter(self) -> None:
         current = self._graph.current
         if self._linking_from is not None and current is not None:

@@ -19,22 +19,12 @@ from app.core.edits import (
     set_hierarchy,
 )
 from app.core.edits.place import with_examples
-from app.core.errors import UnderstudyError
-from app.core.features import (
-    FlagUp,
-    Ground,
-    Operation,
-    Over,
-    Sense,
-    Source,
-    Statistic,
-    TicksInState,
-)
+from app.core.features import FlagUp, Ground, Operation, Over, Sense, Source, Statistic, TicksInState
 from app.core.library import Library
 from app.core.project import LevelTable, Project
 from app.core.storage import load, save
 from app.core.vocabulary import DONE, FINISHED
-from app.engine.backfill import fill_values, read_values
+from app.engine.backfill import fill_values
 from app.sim.scenario import Scenario
 from tests.corridor import corridor, features, project
 from tests.driver import Driver
@@ -224,14 +214,11 @@ def test_an_open_binding_is_missed_and_other_features_are_told() -> None:
     assert "'target' of feature 'open' of 'Shuttle' is open" in result.missed["1"]
 
 
-def test_reading_one_example_raises_what_is_missed() -> None:
+def test_an_example_of_a_node_that_did_not_run_the_behavior_is_missed() -> None:
     made = taught()
-    automaton, example = made.library(AGENT).get("Shuttle"), made.examples_of(AGENT, "Shuttle")[0]
-    assert read_values(made, corridor, automaton, example) == {"place": 10.0}
-    with pytest.raises(UnderstudyError, match="example 1: the moment it was recorded in is not stored"):
-        read_values(made, corridor, automaton, replace(example, snapshot="gone"))
-    with pytest.raises(UnderstudyError, match="example 1: 'agent-1' does not run 'Shuttle' in its moment"):
-        read_values(made, corridor, automaton, replace(example, node="agent-1"))
+    first, *others = made.examples_of(AGENT, "Shuttle")
+    made = with_examples(made, AGENT, "Shuttle", (replace(first, node="agent-1"), *others))
+    assert missed(made) == {"1": "example 1: 'agent-1' does not run 'Shuttle' in its moment"}
 
 
 def test_a_parameter_means_in_the_moment_what_it_meant_then() -> None:
