@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QDoubleSpinBox,
@@ -56,6 +56,7 @@ class AskControl(QWidget):
         self.below.valueChanged.connect(self._changed)
         self._asking.changed.connect(self.refresh)
         studio.changed.connect(self.refresh)
+        studio.opened.connect(self._begin)
         self.refresh()
 
     def _menu(self) -> QMenu:
@@ -87,6 +88,13 @@ class AskControl(QWidget):
         below = self.below.value() / 100 if self.unsure.isChecked() else None
         beyond = self.beyond.value() if self.unknown.isChecked() else None
         self._asking.set(on=self._asking.on, below=below, beyond=beyond)
+
+    def _begin(self) -> None:
+        """Another project is open: what was set for the one before is not offered in it."""
+        with QSignalBlocker(self.below), QSignalBlocker(self.beyond):
+            self.below.setValue(round(100 * BELOW))
+            self.beyond.setValue(BEYOND)
+        self.refresh()
 
     def refresh(self) -> None:
         """Show how it is set."""

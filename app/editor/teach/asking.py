@@ -20,7 +20,7 @@ BELOW, BEYOND = 0.6, 0.5
 
 
 class Asking(QObject):
-    """When the user wants to be asked, and about whom.
+    """When the user wants to be asked, and about whom: in this project, another one begins without.
 
     Attributes:
         on: Whether to ask at all.
@@ -40,6 +40,7 @@ class Asking(QObject):
         self.on = False
         self.below: float | None = BELOW
         self.beyond: float | None = None
+        studio.opened.connect(self._opened)
         self._chosen: tuple[str, ...] = ()
         self._selecting = False
         self._sent = AskMe()
@@ -101,6 +102,11 @@ class Asking(QObject):
         if wanted != self._sent:
             self._sent = wanted
             self._studio.bridge.send(wanted)
+
+    def _opened(self) -> None:
+        """It was wished for in another project, where nobody sees it any more."""
+        self._chosen = ()
+        self.set(on=False, below=BELOW, beyond=None)
 
     def _begun(self) -> None:
         """Another world does not know what was asked for in the one before."""

@@ -33,7 +33,7 @@ def speed_words(speed: float | None) -> str:
 
 
 class Speed:
-    """The speed that playing has: chosen before or while time passes."""
+    """The speed that playing has: chosen before or while time passes; how one watches, whatever project is open."""
 
     def __init__(self) -> None:
         self.chosen: float | None = 1.0

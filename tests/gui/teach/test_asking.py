@@ -180,6 +180,24 @@ def test_far_from_all_examples_it_asks_and_an_answer_makes_that_familiar(hand: H
     assert hand.snapshot.asked is None or hand.snapshot.asked.values != asked.values
 
 
+def test_another_project_asks_nothing_until_it_is_wished_for_there(hand: Hand) -> None:
+    ask, studio = control(hand.window), hand.studio
+    ask_beyond(hand, "1.5")
+    hand.act(lambda: hand.click(ask.switch))
+    switch_on(hand, 80)
+    assert ask.switch.isChecked()
+    project, scenario, folder = studio.document.project, studio.document.scenario, studio.document.folder
+    studio.actions["file.close"].trigger()
+    hand.wait(lambda: not studio.is_open)
+    studio.open(project, scenario, folder)
+    hand.wait(lambda: studio.snapshot is not None)
+    hand.settle()
+    assert not ask.switch.isChecked()
+    assert (ask.unsure.isChecked(), ask.unknown.isChecked()) == (True, False)
+    assert (ask.below.value(), ask.beyond.value()) == (60, 0.5)
+    assert (studio.teaching.asking.below, studio.teaching.asking.beyond) == (0.6, None)
+
+
 def ask_beyond(hand: Hand, distance: str) -> None:
     """Ask by distance alone, as set in the menu beside the switch."""
     ask = control(hand.window)

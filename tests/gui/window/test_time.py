@@ -103,6 +103,22 @@ def test_plus_and_minus_change_the_speed_and_so_does_the_slider(window: MainWind
     assert toolbar.speed_words.text() == "max"
 
 
+def test_another_project_is_watched_at_the_same_speed_which_the_tool_bar_shows(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    studio, toolbar = window.studio, window.toolbar
+    document = studio.document
+    qtbot.keyClick(window, Qt.Key.Key_Plus)
+    qtbot.waitUntil(lambda: toolbar.speed_words.text() == "2×")
+    studio.open(document.project, document.scenario, document.folder)
+    qtbot.waitUntil(lambda: studio.snapshot is not None)
+    assert studio.snapshot is not None
+    assert studio.snapshot.speed == 0.0
+    assert (toolbar.speed_words.text(), toolbar.slider.value()) == ("2×", 3)
+    qtbot.keyClick(window, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: studio.snapshot is not None and studio.snapshot.speed == 2.0)
+
+
 def test_a_world_is_begun_again_with_its_seed_the_next_one_or_one_that_is_typed(
     window: MainWindow, qtbot: QtBot
 ) -> None:
