@@ -37,6 +37,10 @@ WIDTH = 330
 SKIP = "Skip", "Go on without doing this"
 NEXT = "Next", "Go on; time passes as before"
 CLOSE = "Close", "The lesson is over; Help, Guided first lesson begins it again"
+#: Said of a step that asks for what is so already.
+SO_ALREADY = "That is so already: press Next."
+#: The speed that the lesson begins at, whatever was watched before: at many times that, each moment would be missed.
+PACE = 1.0
 #: The flag among the settings that the lesson was offered.
 OFFERED = "lesson_offered"
 
@@ -59,6 +63,7 @@ class Guide(QFrame):
         self._wanted: int | None = None
         self._picked, self._from_tick = "", 0
         self._stopped = False  # at the moment that the step is about
+        self._is_so_already = False  # what the step asks for, since before it began
         self._is_above = False  # in the upper corner
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
@@ -163,6 +168,7 @@ class Guide(QFrame):
             self.leave()
         elif self._wanted is not None:
             step, self._wanted = self._wanted, None
+            self._window.speed.choose(self._studio, PACE)
             self._show(step)
 
     def leave(self) -> None:
@@ -193,13 +199,25 @@ class Guide(QFrame):
         if self.step == len(STEPS):
             self._end()
             return
-        now = STEPS[self.step]
+        self._is_so_already = STEPS[self.step].done(self._seen())
+        self._say_step()
+
+    def _say_step(self) -> None:
+        """What to do; who finds it done already has read what it is about before going on."""
+        now, is_so = STEPS[self.step], self._is_so_already
         self.title.setText(now.title)
-        self.words.setText(now.text)
+        self.words.setText(f"{now.text}\n\n{SO_ALREADY}" if is_so else now.text)
         self.progress.setText(f"Step {self.step + 1} of {len(STEPS)}")
-        self._offer_to_go_on(*(NEXT if now.is_watched else SKIP))
-        self.ring.point_at(now.points_at)
+        self._offer_to_go_on(*(NEXT if now.is_watched or is_so else SKIP))
+        self.ring.point_at("" if is_so else now.points_at)
         self._place()
+
+    def _seen(self) -> Seen:
+        """What the user has done since the step began."""
+        snapshot = self._studio.snapshot
+        tick = 0 if snapshot is None else snapshot.tick
+        self._from_tick = min(self._from_tick, tick)  # the world may have begun again
+        return Seen(self._studio, self._picked, tick - self._from_tick)
 
     def _skip(self) -> None:
         """Go on; the second half gets what it needs of a first one that was not done."""
@@ -244,15 +262,17 @@ class Guide(QFrame):
         """Go on if the user has done what the step asks for."""
         if not self.isVisible() or self.step >= len(STEPS):
             return
-        snapshot = self._studio.snapshot
-        tick = 0 if snapshot is None else snapshot.tick
-        self._from_tick = min(self._from_tick, tick)  # the world may have begun again
-        seen = Seen(self._studio, self._picked, tick - self._from_tick)
-        if STEPS[self.step].done(seen):
-            self._go(self.step + 1)
-        elif snapshot is not None:
-            STEPS[self.step].prepares(self._studio)
-            self._stop_in_time(snapshot, STEPS[self.step].stops(seen))
+        snapshot, seen, step = self._studio.snapshot, self._seen(), STEPS[self.step]
+        if step.done(seen):
+            if not self._is_so_already:
+                self._go(self.step + 1)
+            return
+        if self._is_so_already:
+            self._is_so_already = False
+            self._say_step()
+        if snapshot is not None:
+            step.prepares(self._studio)
+            self._stop_in_time(snapshot, step.stops(seen))
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
         """Have time stop after *left* ticks, also where the window is late; None if it is to go on.

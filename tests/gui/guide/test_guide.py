@@ -393,9 +393,49 @@ def test_taken_up_in_its_second_half_in_another_session_wander_is_there(
 ) -> None:
     window.studio.settings.lesson_step = SECOND + 2
     begin(window, qtbot)
-    assert window.guide.step in (SECOND, SECOND + 1)  # Forage may be selected already
-    assert window.guide.title.text() in [step.title for step in FORAGING[:2]]
+    assert window.guide.step == SECOND
+    assert window.guide.title.text() == FORAGING[0].title
     assert window.studio.document.project.library("agent").automata["wander"].learned
+
+
+def test_what_a_step_asks_for_may_be_so_already_which_is_said_and_goes_on_by_next(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    guide, studio = window.guide, window.studio
+    studio.settings.lesson_step = SECOND
+    begin(window, qtbot)
+    assert guide.title.text() == "Now foraging"
+    assert "That is so already: press Next." in guide.words.text()
+    assert not guide.ring.isVisible()
+    press(window, qtbot, Qt.Key.Key_Period)  # a tick tells nothing new of it
+    assert guide.title.text() == "Now foraging"
+    choose_in_library(window, qtbot, RowKey("agent", "wander"))
+    qtbot.waitUntil(lambda: guide.skip.text() == "Skip", timeout=PATIENCE)
+    assert "so already" not in guide.words.text()
+    choose_in_library(window, qtbot, RowKey("agent", "forage"))
+    at(window, qtbot, "Take an agent in hand")
+    qtbot.mouseClick(guide.back, Qt.MouseButton.LeftButton)
+    press_next(window, qtbot)
+    assert guide.title.text() == "Take an agent in hand"
+
+
+def press(window: MainWindow, qtbot: QtBot, key: Qt.Key) -> None:
+    """Press a key that passes a tick."""
+    before = tick_of(window)
+    qtbot.keyClick(window, key)
+    qtbot.waitUntil(lambda: tick_of(window) > before, timeout=PATIENCE)
+
+
+def test_the_lesson_begins_at_a_pace_that_can_be_followed_and_keeps_to_what_is_chosen_in_it(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    faster(window, qtbot, 64.0)
+    begin(window, qtbot)
+    qtbot.waitUntil(lambda: window.toolbar.speed_words.text() == "1×", timeout=PATIENCE)
+    faster(window, qtbot, 4.0)
+    qtbot.mouseClick(window.guide.close_button, Qt.MouseButton.LeftButton)
+    begin(window, qtbot)
+    assert window.speed.chosen == 4.0
 
 
 def test_another_project_puts_the_lesson_away(lesson: MainWindow, qtbot: QtBot, foraging: object) -> None:
