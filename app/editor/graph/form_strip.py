@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 HIGHEST, LOWEST = 230, 150
 MOST_TOLD = 3
+#: Pixels that are seen above and below what has the keys.
+AROUND = 8
 
 
 class FormStrip(QFrame):
@@ -46,9 +49,8 @@ class FormStrip(QFrame):
         self.rules = RuleForm(studio, scoping)
         self.state = StateForm(studio, scoping)
         self._stack = QStackedWidget()
-        self._areas = [_scrolled(form) for form in (self.rules, self.state)]
-        for area in self._areas:
-            self._stack.addWidget(area)
+        for form in (self.rules, self.state):
+            self._stack.addWidget(FormArea(form))
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -118,12 +120,30 @@ class FormStrip(QFrame):
         return super().event(event)
 
 
-def _scrolled(form: QWidget) -> QScrollArea:
-    area = QScrollArea()
-    area.setWidgetResizable(True)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setWidget(form)
-    return area
+class FormArea(QScrollArea):
+    """A form that may be higher than the place for it: what has the keys is in sight, however they came there."""
+
+    def __init__(self, form: QWidget) -> None:
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(form)
+        self._form = form
+        form.installEventFilter(self)
+        QApplication.instance().focusChanged.connect(self._keys_moved)  # type: ignore[union-attr]  # there is one
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The form was laid out anew."""
+        taken = super().eventFilter(watched, event)
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
+            self._keys_moved()
+        return taken
+
+    def _keys_moved(self, _before: QWidget | None = None, _now: QWidget | None = None) -> None:
+        focus = QApplication.focusWidget()
+        if focus is not None and self._form.isAncestorOf(focus):
+            middle = focus.mapTo(self._form, focus.rect().center())
+            self.ensureVisible(middle.x(), middle.y(), 0, focus.height() // 2 + AROUND)
 
 
 def _takes_keys(child: QWidget) -> bool:

@@ -63,7 +63,7 @@ class GraphPanel(QWidget):
         self._way: list[BehaviorKey] = []
         self._open: set[Path] = set()
         self.menu: QMenu | None = None
-        self._selecting = self._entering = False
+        self._selecting = self._entering = self._reveals = False
         self.laying_out = LayingOut()
         self._drafts = Drafts(studio.document, self.laying_out)
         self.scene = GraphScene(studio.theme, studio.colors)
@@ -104,7 +104,7 @@ class GraphPanel(QWidget):
         studio.colors.changed.connect(self.touch)
         studio.theme.changed.connect(self.touch)
         studio.selection.behavior_changed.connect(self._behavior_changed)
-        studio.selection.state_changed.connect(self._state_changed)
+        studio.selection.state_changed.connect(self._chosen_elsewhere)
         studio.selection.nodes_changed.connect(self._live_soon)
         studio.bridge.snapshot_changed.connect(self._live_soon)
         self.laying_out.arranged.connect(self.touch)
@@ -150,6 +150,9 @@ class GraphPanel(QWidget):
         self._show_form()
         self._follow()
         self.view.changed()
+        if self._reveals:
+            self.view.show_selected()
+            self._reveals = not self.scene.is_settled
         self.studio.touch()
         self.refreshed.emit()
 
@@ -204,25 +207,28 @@ class GraphPanel(QWidget):
         selection = self.studio.selection
         if self._selecting or selection.behavior is None:
             return
-        key = selection.behavior
-        current = self.scene.current
-        if current is not None and self._key_of(current) == (key, selection.state):
-            return
-        if self.scene.edge is not None:
+        key, shown = selection.behavior, self.scene.deciding
+        if shown is not None and self.scene.key_of(shown) == (key, selection.state):
             return
         found = self.scene.find(key.type, key.id, selection.state)
         self.scene.mark([found] if found is not None else [])
 
+    def _chosen_elsewhere(self) -> None:
+        """Another state was chosen in another panel: it is brought in sight, once it is drawn."""
+        if self._selecting:
+            return
+        self._state_changed()
+        self._reveals = self._soon.is_due or not self.isVisible()
+        if not self._reveals:
+            self.view.show_selected()
+
     def _marked(self) -> None:
         """What was selected here is what all panels show."""
-        path = self.scene.current
-        edge = self.scene.edge
-        if edge is not None:
-            path = (*edge[0], edge[1])
+        path = self.scene.deciding
         if path is None:
             self.close_form()
             return
-        key, state = self._key_of(path)
+        key, state = self.scene.key_of(path)
         self._selecting = True
         try:
             self.studio.selection.select_behavior(key, state)
@@ -230,10 +236,6 @@ class GraphPanel(QWidget):
             self._selecting = False
         self._show_form()
         self.studio.touch()
-
-    def _key_of(self, path: Path) -> tuple[BehaviorKey, str]:
-        level = self.scene.levels[path[:-1]]
-        return BehaviorKey(level.type, level.automaton.id), path[-1]
 
     # ----------------------------------------------------------------------------------------------- going in
 
@@ -283,7 +285,7 @@ class GraphPanel(QWidget):
 
     def level_for_new(self) -> Drawn | None:
         """The automaton that a new state comes into: the one of what is selected, or the one that is shown."""
-        path = self.scene.current or (self.scene.edge[0] if self.scene.edge is not None else ())
+        path = self.scene.deciding or ()
         return self.scene.levels.get(path[:-1]) or self.scene.levels.get(())
 
     def add_state(self, content: Content, at: Position | None = None) -> None:
@@ -346,7 +348,7 @@ class GraphPanel(QWidget):
             level = self.scene.levels[edge[0]]
             self.form.show_edge((level.type, level.automaton.id, *edge[1:]), level.edges.get(edge[1:]))
         elif path is not None:
-            key, state = self._key_of(path)
+            key, state = self.scene.key_of(path)
             self.form.show_state((key.type, key.id, state))
         else:
             self.close_form()

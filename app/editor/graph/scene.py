@@ -11,6 +11,7 @@ from ...core.automaton import Basic
 from ...engine.snapshots import Snapshot, StateRef
 from ...export.graph import GraphState
 from ..behavior_colors import BehaviorColors
+from ..selection import BehaviorKey
 from ..theme import Theme
 from .arrangement import Point
 from .edge_item import EdgeItem
@@ -95,6 +96,11 @@ class GraphScene(QGraphicsScene):
             item.setParentItem(parent)
         item.setPos(at)
 
+    @property
+    def is_settled(self) -> bool:
+        """Whether no state will stand elsewhere once Graphviz has arranged all that is shown."""
+        return all(level.is_settled for level in self.levels.values())
+
     def contents(self) -> QRectF:
         """The box around all that is shown."""
         root = self.levels.get(())
@@ -121,11 +127,8 @@ class GraphScene(QGraphicsScene):
 
     def turn(self, by: int) -> None:
         """Select the next or the previous transition that leaves the state that is selected."""
-        if self.edge is not None:
-            source = (*self.edge[0], self.edge[1])
-        elif self.current is not None:
-            source = self.current
-        else:
+        source = self.deciding
+        if source is None:
             return
         leaving = [key for key in self.edges if (*key[0], key[1]) == source]
         if leaving:
@@ -136,6 +139,16 @@ class GraphScene(QGraphicsScene):
     def current(self) -> Path | None:
         """The state that was selected last."""
         return self.selected[-1] if self.selected else None
+
+    @property
+    def deciding(self) -> Path | None:
+        """The state whose decisions are shown: that one, or the one that the selected transition leaves."""
+        return self.current if self.edge is None else (*self.edge[0], self.edge[1])
+
+    def key_of(self, path: Path) -> tuple[BehaviorKey, str]:
+        """The automaton that a state is of, and its id there."""
+        level = self.levels[path[:-1]]
+        return BehaviorKey(level.type, level.automaton.id), path[-1]
 
     def find(self, type_name: str, automaton: str, state: str) -> Path | None:
         """Where a state is shown, the outermost place first."""

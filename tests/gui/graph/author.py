@@ -35,11 +35,7 @@ class Author:
         """Wait until what is shown is arranged by Graphviz and up to date."""
         panel = self.panel
         self.qtbot.waitUntil(
-            lambda: (
-                panel.laying_out.is_idle
-                and not panel.is_pending
-                and all(level.is_settled for level in panel.scene.levels.values())
-            ),
+            lambda: panel.laying_out.is_idle and not panel.is_pending and panel.scene.is_settled,
             timeout=PATIENCE,
         )
 

@@ -36,6 +36,31 @@ def test_a_state_selected_elsewhere_is_marked(panel: GraphPanel, studio: Studio)
     assert panel.scene.current == ("wander",)
 
 
+def test_a_state_selected_elsewhere_is_marked_and_in_sight_also_where_a_transition_was_selected(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    author = Author(panel, qtbot)
+    author.click_edge("wander", "return-with-box")
+    assert panel.scene.edge == ((), "wander", "return-with-box")
+    author.drag(QPoint(30, 30), QPoint(30, -500))  # what was above is out of sight now
+    studio.selection.select_state(START)
+    assert panel.scene.selected == ((START,),)
+    assert panel.view.viewport().rect().contains(author.at((START,)))
+
+
+def test_a_state_of_another_behavior_is_brought_in_sight_once_it_is_drawn(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    author = Author(panel, qtbot)
+    panel.resize(300, 260)
+    key = BehaviorKey("authored-agent", "goto")
+    last = studio.document.project.library(key.type).get(key.id).states[-1].id
+    studio.selection.select_behavior(key, last)
+    author.settle()
+    assert panel.scene.current == (last,)
+    assert panel.view.viewport().rect().contains(author.at((last,)))
+
+
 def test_arrow_keys_walk_from_state_to_state(panel: GraphPanel, studio: Studio, qtbot: QtBot) -> None:
     Author(panel, qtbot).click((START,))
     qtbot.keyClick(panel.view, Qt.Key.Key_Down)

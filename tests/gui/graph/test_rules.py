@@ -1,9 +1,10 @@
 """Transitions by hand: drawn, guarded, ordered, and made from what was learned."""
 
+from functools import partial
 from itertools import combinations
 
 from PySide6.QtCore import QPoint, QRect, QRectF, Qt
-from PySide6.QtWidgets import QComboBox, QScrollArea, QStyle, QStyleOptionComboBox, QToolButton
+from PySide6.QtWidgets import QComboBox, QScrollArea, QStyle, QStyleOptionComboBox, QToolButton, QWidget
 
 from app.core.automaton import START
 from app.core.conditions import AtMost, Condition, Equals
@@ -125,6 +126,29 @@ def test_what_closes_a_form_covers_nothing_of_it(author: Author) -> None:
     assert not ours.intersects(theirs)
     author.press(close)
     assert not strip.isVisible()
+
+
+def test_what_has_the_keys_in_a_form_is_in_sight(author: Author) -> None:
+    author.show(AUTHORED)
+    author.panel.resize(330, 420)
+    author.link("Wander", "ReturnWithBox")
+    author.test("DistanceTo(nearest visible box)")
+    author.test("DistanceTo(deposit)")  # by now the form is higher than its place
+    author.key(Qt.Key.Key_Escape)
+    author.key(Qt.Key.Key_F2)
+    author.come_back()
+    (area,) = [each for each in author.panel.form.findChildren(QScrollArea) if each.isVisible()]
+
+    def in_sight(field: QWidget) -> bool:
+        shown = QRect(field.mapTo(area, QPoint(0, 0)), field.size())
+        return area.viewport().rect().contains(shown)
+
+    author.qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() > 0)
+    first, last = author.block.probability, author.row(1).numbers[0]
+    for field, other in ((first, last), (last, first), (first, last)):
+        field.setFocus()
+        author.qtbot.waitUntil(partial(in_sight, field))
+        assert not in_sight(other)
 
 
 def test_keys_stay_on_a_rule_that_is_tried_earlier(author: Author) -> None:
