@@ -156,7 +156,6 @@ class Actions(QObject):
         action.setShortcut(QKeySequence(self.keys_of(row.id)))
         action.triggered.connect(lambda: self._run(row))
         self._dress(row, action)
-        self._tell_keys(row, action)
         self._say(row, action)
         self._refresh(row, action)
         return action
@@ -181,11 +180,11 @@ class Actions(QObject):
         if row.icon:
             action.setIcon(icon(row.icon, self._studio.theme))
 
-    @staticmethod
-    def _tell_keys(row: ActionRow, action: QAction) -> None:
+    def _tell_keys(self, row: ActionRow, action: QAction) -> None:
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        tip = row.tip or row.text.rstrip("…")
-        action.setToolTip(f"{tip} ({keys})" if keys else tip)
+        tip, text = row.tip or row.text.rstrip("…"), self.text_of(row.id)
+        tip = f"{tip} ({keys})" if keys else tip
+        action.setToolTip(tip if text == row.text else f"{text}\n{tip}")
 
     def refresh(self) -> None:
         """Texts, checks, and what is possible, as things are now."""
@@ -207,3 +206,4 @@ class Actions(QObject):
 
     def _say(self, row: ActionRow, action: QAction) -> None:
         action.setText(marked(self.text_of(row.id), self._letters.get(row.id, "")))
+        self._tell_keys(row, action)

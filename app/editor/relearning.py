@@ -21,7 +21,7 @@ class Relearning(QObject):
 
     Attributes:
         busy: Whether something is being learned.
-        learned_at: When the last answer was taken in, by the monotonic clock; 0.0 before the project's first.
+        learned_at: When something was learned last, by the monotonic clock; 0.0 before the project's first.
 
     Signals:
         changed: Learning began or ended.
@@ -36,7 +36,7 @@ class Relearning(QObject):
         super().__init__()
         self._document = document
         self._settings = settings
-        self._relearner = Relearner(self._ready.emit)
+        self._relearner = Relearner(self._ready.emit, document.freshness)
         self.busy = False
         self.learned_at = 0.0
         self._problems: tuple[str, ...] = ()
@@ -82,7 +82,8 @@ class Relearning(QObject):
                 self._soon.start()
 
     def _use(self, answer: RelearnAnswer) -> None:
-        self.learned_at = monotonic()
+        if answer.teaches:
+            self.learned_at = monotonic()
         if answer.learned.automata or answer.filled:
             self._document.amend(lambda project: _with(project, answer))
         for problem in answer.problems:

@@ -1,6 +1,6 @@
 """Learning again, beside the window, whatever an edit has made stale: models, and values of features added later."""
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from ..core.errors import UnderstudyError
@@ -8,11 +8,12 @@ from ..core.project import Project
 from ..core.remembered import Remembered
 from ..learner.builder import LearningCancelled
 from ..learner.freshness import Freshness
-from ..learner.trainer import Key, Learned, LearnedAutomaton, learn, with_examples
+from ..learner.trainer import Key, Learned, LearnedAutomaton, every_automaton, learn, with_examples
 from ..sim.scenario import Scenario
 from .backfill import Filled, fill_values
 from .plan import some
 from .recording import Values
+from .turns import AFTER_EDITS
 from .worker import IsCancelled, Worker
 
 #: Told the share that is done, from 0 to 1, and what is being worked on.
@@ -40,6 +41,11 @@ class RelearnAnswer:
         """Whether there is anything to put into the project."""
         return bool(self.learned.automata or self.filled)
 
+    @property
+    def teaches(self) -> bool:
+        """Whether something was learned: an automaton without examples is up to date with nothing learned."""
+        return any(automaton.models for automaton in self.learned.automata.values())
+
 
 @dataclass(frozen=True, slots=True)
 class _Question:
@@ -51,15 +57,16 @@ class _Question:
 class Relearner:
     """Learns in a thread of its own what is stale; the caller puts it into its project, if that is still the same."""
 
-    def __init__(self, ready: Callable[[], None]) -> None:
+    def __init__(self, ready: Callable[[], None], freshness: Freshness | None = None) -> None:
         """Start no thread yet.
 
         Args:
             ready: Called from the thread when an answer has come; it must only wake somebody up.
+            freshness: What others know of the same project, too.
         """
-        self._worker = Worker(self._answer, _broken, ready, "relearner")
+        self._worker = Worker(AFTER_EDITS.taken(self._answer), _broken, ready, "relearner")
         self._progress = 0.0, ""
-        self._memory = _Memory()  # only the thread looks at it
+        self._memory = _Memory(freshness or Freshness())  # only the thread looks at it
 
     def ask(self, revision: int, project: Project, scenario: Scenario) -> None:
         """Learn every automaton of *project* that is stale; an earlier question that is still open is given up."""
@@ -99,7 +106,7 @@ class Relearner:
 def relearn(project: Project, scenario: Scenario) -> RelearnAnswer:
     """The same at once, in the caller's thread."""
     return _Work(
-        _Question(0, project, scenario), _Memory(), lambda _share, _what: None, lambda: False
+        _Question(0, project, scenario), _Memory(Freshness()), lambda _share, _what: None, lambda: False
     ).answer()
 
 
@@ -127,8 +134,8 @@ class _Memory:
         tried: What could not be filled in.
     """
 
-    def __init__(self) -> None:
-        self.freshness = Freshness()
+    def __init__(self, freshness: Freshness) -> None:
+        self.freshness = freshness
         self.tried: dict[Key, _Tried] = {}
         self._lacking: Remembered[Key, bool] = Remembered()
 
@@ -140,8 +147,9 @@ class _Memory:
             key, (features, examples), lambda: any(not ids <= example.values.keys() for example in examples)
         )
 
-    def keep(self, keys: Collection[Key]) -> None:
-        """Forget all automata but these."""
+    def keep_those_of(self, project: Project) -> None:
+        """Forget all automata that *project* does not have."""
+        keys = every_automaton(project)
         self.freshness.keep(keys)
         self._lacking.keep(keys)
 
@@ -164,7 +172,7 @@ class _Work:
     def answer(self) -> RelearnAnswer:
         try:
             keys = with_examples(self._project)
-            self._memory.keep(keys)
+            self._memory.keep_those_of(self._project)
             for number, key in enumerate(keys):
                 self._step(key, number / len(keys), 1.0 / len(keys))
         except UnderstudyError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QStatusBar
 
 from ...engine.snapshots import Snapshot
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what changes slowly.
 SLOWLY = 500
+#: Pixels for what was undone; its tool tip says all of it.
+UNDONE = 260
 #: How such a world is left.
 BACK = "Choosing the arm again begins its own world."
 
@@ -37,6 +39,7 @@ class StatusBar(QStatusBar):
         self.learner = self._label()
         self.fit = self._label()
         self.fit.setToolTip("How well what was learned of the selected behavior fits its examples")
+        self.undone = self._label()
         self.notice = self._label()
         self.saved = QLabel()
         self.saved.setProperty("role", "caption")
@@ -49,6 +52,7 @@ class StatusBar(QStatusBar):
         studio.opened.connect(self._cleared)
         studio.changed.connect(self._slowly)
         studio.relearning.changed.connect(self._slowly)
+        studio.document.history_changed.connect(self._tell_what_is_undone)
         if studio.snapshot is not None:  # while time stands still, no other may come
             self._snapshot_changed(studio.snapshot)
 
@@ -67,6 +71,13 @@ class StatusBar(QStatusBar):
             words = "" if fit is None else fit.brief
         self.fit.setText(f"{automaton.name} {words}" if automaton is not None and words else "")
 
+    def _tell_what_is_undone(self) -> None:
+        """What redo would bring back: it may have been in a behavior that is not in sight."""
+        text = self._studio.document.history.redo_text
+        words = f"undone: {text}" if text else ""
+        self.undone.setText(self.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, UNDONE))
+        self.undone.setToolTip(words)
+
     def _label(self) -> QLabel:
         label = QLabel()
         label.setProperty("role", "caption")
@@ -82,6 +93,7 @@ class StatusBar(QStatusBar):
             self.scenario,
             self.learner,
             self.fit,
+            self.undone,
             self.notice,
         ):
             label.clear()

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import disable_examples, rename_automaton
+from app.core.edits import add_automaton, disable_examples, rename_automaton
 from app.core.project import Project
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -64,6 +64,35 @@ def test_the_status_bar_says_how_fast_time_passes_what_was_learned_and_what_is_s
     assert bar.saved.text() == "unsaved changes"
     window.studio.open(foraging, open_scenario(foraging), None, saved=False)
     qtbot.waitUntil(lambda: bar.learner.text() == "", timeout=PATIENCE)  # that was another project
+
+
+def test_what_was_undone_is_said_until_something_else_is_done(window: MainWindow, qtbot: QtBot) -> None:
+    bar, document = window.statusBar(), window.studio.document
+    assert isinstance(bar, StatusBar)
+    for name in ("Roam", "Stroll"):
+        document.do(rename_automaton, "agent", "wander", name)
+    window.studio.selection.select_behavior(BehaviorKey("agent", "forage"))  # what is undone is not in sight
+    undo = Qt.KeyboardModifier.ControlModifier
+    qtbot.keyClick(window, Qt.Key.Key_Z, undo)
+    assert bar.undone.text() == "undone: Rename Roam to Stroll"
+    qtbot.keyClick(window, Qt.Key.Key_Z, undo)
+    assert bar.undone.text() == "undone: Rename Wander to Roam"
+    qtbot.keyClick(window, Qt.Key.Key_Z, undo | Qt.KeyboardModifier.ShiftModifier)
+    assert bar.undone.text() == "undone: Rename Roam to Stroll"
+    document.do(rename_automaton, "agent", "wander", "Amble")
+    assert bar.undone.text() == ""
+
+
+def test_nothing_is_said_to_be_learned_where_there_are_no_examples(window: MainWindow, qtbot: QtBot) -> None:
+    bar, studio = window.statusBar(), window.studio
+    assert isinstance(bar, StatusBar)
+    busy: list[bool] = []
+    studio.relearning.changed.connect(lambda: busy.append(studio.relearning.busy))
+    studio.document.do(add_automaton, "agent", "Mine")
+    qtbot.waitUntil(lambda: busy == [True, False], timeout=PATIENCE)
+    assert bar.learner.text() == ""
+    studio.document.do(disable_examples, "agent", "wander", ["1"])
+    qtbot.waitUntil(lambda: bar.learner.text().startswith("learned "), timeout=PATIENCE)
 
 
 def test_a_world_that_departs_from_its_arm_says_how_until_the_arm_is_chosen_again(

@@ -43,8 +43,10 @@ def test_where_there_is_room_the_tool_bar_says_what_undo_would_undo(
     assert said(undo.defaultAction()).startswith("Undo: ")
     assert undo.text().startswith("Undo: ")
     assert arm.isVisible()
+    assert undo.toolTip().startswith("Undo: ")
     studio.actions["edit.undo"].trigger()
     assert undo.text() == "Undo"
+    assert undo.toolTip() == "Take back the last step, picks included (Ctrl+Z)"
     just_enough = window.toolbar.sizeHint().width()
     window.resize(just_enough, 1000)
     qtbot.waitUntil(lambda: window.toolbar.width() == just_enough and has_words())
