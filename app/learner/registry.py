@@ -25,6 +25,7 @@ class Option:
     Attributes:
         low, high: The least and the greatest allowed value.
         whole: Whether it must be a whole number.
+        switch: Whether it is 1 for yes and 0 for no.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Option:
     low: float
     high: float
     whole: bool = True
+    switch: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +145,11 @@ METHODS: Mapping[str, Method] = {
             "Decision tree (C4.5)",
             "The paper's: gain ratio, arcs of angles, counts at the leaves.",
             _c45,
-            (_MIN_LEAF, _MAX_DEPTH, Option("gain_ratio", "Choose by gain ratio (1) or gain (0)", 1, 0, 1)),
+            (
+                _MIN_LEAF,
+                _MAX_DEPTH,
+                Option("gain_ratio", "Choose by gain ratio, not by gain", 1, 0, 1, switch=True),
+            ),
             lowers=True,
             prunes=True,
         ),

@@ -51,6 +51,8 @@ SAMPLINGS = {
         "Drawn again only when the situation leads to another leaf",
     ),
 }
+#: What an option is set by.
+OptionField = QCheckBox | QDoubleSpinBox | QSpinBox
 
 
 class LearnerPage(QWidget):
@@ -67,7 +69,7 @@ class LearnerPage(QWidget):
         self.classifier.activated.connect(self._classifier_chosen)
         self.doc = caption("")
         self._form = QFormLayout()
-        self.fields: dict[str, QDoubleSpinBox | QSpinBox] = {}
+        self.fields: dict[str, OptionField] = {}
         self._shown_method = ""
         self.sampling = QComboBox()
         self.sampling.setAccessibleName("How the next state is chosen")
@@ -157,17 +159,30 @@ class LearnerPage(QWidget):
                 self._form.removeRow(OPTIONS)
             self.fields = {option.name: self._field(option) for option in method.options}
             for place, option in enumerate(method.options, OPTIONS):
-                self._form.insertRow(place, option.title, self.fields[option.name])
+                field = self.fields[option.name]
+                self._form.insertRow(place, "" if isinstance(field, QCheckBox) else option.title, field)
         for option in method.options if method else ():
             field, value = self.fields[option.name], settings.options.get(option.name, option.default)
             field.blockSignals(True)
-            if isinstance(field, QSpinBox):
+            if isinstance(field, QCheckBox):
+                field.setChecked(bool(value))
+            elif isinstance(field, QSpinBox):
                 field.setValue(int(value))
             else:
                 field.setValue(value)
             field.blockSignals(False)
 
-    def _field(self, option: Option) -> QDoubleSpinBox | QSpinBox:
+    def _field(self, option: Option) -> OptionField:
+        return self._switch(option) if option.switch else self._number(option)
+
+    def _switch(self, option: Option) -> QCheckBox:
+        field = QCheckBox(option.title)
+        field.setToolTip(f"{option.title}: {'on' if option.default else 'off'} at first")
+        field.clicked.connect(lambda on: self._option_set(option.name, float(on)))
+        field.clicked.connect(self._editing.end_gesture)
+        return field
+
+    def _number(self, option: Option) -> QDoubleSpinBox | QSpinBox:
         field: QDoubleSpinBox | QSpinBox
         if option.whole:
             field = roomy(QSpinBox())
@@ -178,7 +193,7 @@ class LearnerPage(QWidget):
             field.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         field.setAccessibleName(option.title)
         field.setToolTip(f"{option.title}: {option.low:g} to {option.high:g}; {option.default:g} at first")
-        field.valueChanged.connect(lambda value, name=option.name: self._option_set(name, float(value)))
+        field.valueChanged.connect(lambda value: self._option_set(option.name, float(value)))
         field.editingFinished.connect(self._editing.end_gesture)
         return field
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QStyle, QStyleOptionFrame
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import Automaton, Basic, Nested, Sampling
@@ -200,6 +200,21 @@ def test_learner_settings_are_changed_and_a_slide_is_one_step(
     page.classifier.setFocus()
     qtbot.keyClick(page.classifier, Qt.Key.Key_Down)
     assert goto(studio).settings.classifier == "cart"
+
+
+def test_what_is_on_or_off_is_a_box_to_tick_not_a_number(
+    dialog: BehaviorDialog, studio: Studio, qtbot: QtBot
+) -> None:
+    dialog.tabs.setCurrentWidget(dialog.learner)
+    box = dialog.learner.fields["gain_ratio"]
+    assert isinstance(box, QCheckBox)
+    assert (box.text(), box.isChecked()) == ("Choose by gain ratio, not by gain", True)
+    box.setFocus()
+    for value in (0.0, 1.0):
+        qtbot.keyClick(box, Qt.Key.Key_Space)
+        assert goto(studio).settings.options["gain_ratio"] == value
+    studio.undo()
+    assert not box.isChecked()
 
 
 def test_how_well_it_learns_is_estimated_in_the_background(dialog: BehaviorDialog, qtbot: QtBot) -> None:
