@@ -118,7 +118,7 @@ class RandomUser(Hand):
         """Press a key of time or of a lesson."""
         keys = (Qt.Key.Key_Space, Qt.Key.Key_Period, Qt.Key.Key_Comma, Qt.Key.Key_Plus, Qt.Key.Key_Minus)
         key = self.chance.choice((*keys, Qt.Key.Key_1, Qt.Key.Key_2, Qt.Key.Key_3, Qt.Key.Key_Tab))
-        self.key(key)
+        self.key(key, CONTROL if key == Qt.Key.Key_Tab else Qt.KeyboardModifier.NoModifier)
         return f"key {key.name}"
 
     def undo_or_redo(self) -> str:

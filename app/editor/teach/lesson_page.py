@@ -80,11 +80,18 @@ class LessonPage(QWidget):
         studio.colors.changed.connect(self._rebuild)
         studio.theme.changed.connect(self._rebuild)
         studio.settings.changed.connect(self._rebuild)
+        studio.settings.changed.connect(self._tell_key)
         studio.bridge.mode_changed.connect(self.refresh)
         studio.bridge.snapshot_changed.connect(self._snapshot_changed)
         self._teaching.changed.connect(self.refresh)
         self._teaching.choosing.changed.connect(self._tell)
         self._dress()
+        self._tell_key()
+
+    def _tell_key(self) -> None:
+        """Whoever teaches several by keys is told which one goes to the next."""
+        keys, text = self._studio.actions.keys_of("teach.next"), self._studio.actions.text_of("teach.next")
+        self._studio.actions["teach.next"].setIconText(f"{text} ({keys})" if keys else text)
 
     def _action_button(self, action: str) -> QToolButton:
         button = QToolButton()

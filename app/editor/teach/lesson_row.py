@@ -36,7 +36,7 @@ class LessonRow(QWidget):
         self._in_full, self._in_short = "", ""
         self._last = last
         self._buttons = mend, step
-        self._widths: dict[QToolButton, tuple[int, int]] = {}
+        self._widths: dict[tuple[QToolButton, str], tuple[int, int]] = {}
         self._order = turn, step, targets, last, mend, self.badge, options
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -104,11 +104,12 @@ class LessonRow(QWidget):
 
     def _widths_of(self, button: QToolButton) -> tuple[int, int]:
         """What a button takes with its icon alone, and with its words; measured once, as measuring asks for another layout."""
-        if button not in self._widths:
+        what = button, button.text()
+        if what not in self._widths:
             button.ensurePolished()
             hints = []
             for style in (ICON, WORDS):
                 button.setToolButtonStyle(style)
                 hints.append(button.sizeHint().width())
-            self._widths[button] = hints[0], hints[1]
-        return self._widths[button]
+            self._widths[what] = hints[0], hints[1]
+        return self._widths[what]

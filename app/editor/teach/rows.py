@@ -44,7 +44,7 @@ def teach_panel_rows() -> tuple[ActionRow, ...]:
             "Teach",
             lambda studio: studio.teaching.next_node(),
             "lesson",
-            "Tab",
+            "Ctrl+Tab",
             "It is the next one's turn among those that are taught",
             "account-arrow-right-outline",
             _several,

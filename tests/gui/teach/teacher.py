@@ -134,10 +134,10 @@ class Teacher(Hand):
         self.settle()
 
     def turn_of(self, node: str) -> None:
-        """Press Tab until it is a node's turn."""
+        """Press Ctrl+Tab until it is a node's turn."""
         for _ in self.studio.teaching.nodes:
             if self.studio.teaching.node != node:
-                self.key(Qt.Key.Key_Tab)
+                self.key(Qt.Key.Key_Tab, CONTROL)
         assert self.studio.teaching.node == node
 
     def pick_at(self, name: str, entity: int) -> None:

@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from app.engine.commands import Others
 from app.engine.snapshots import Mode
 from tests.gui.conftest import PATIENCE
-from tests.gui.teach.hand import Hand
+from tests.gui.teach.hand import CONTROL, Hand
 
 
 def test_an_open_parameter_is_asked_for_and_choosing_it_begins_the_lesson(hand: Hand) -> None:
@@ -56,28 +56,51 @@ def test_what_a_parameter_means_can_be_changed_in_the_middle_of_a_lesson(hand: H
     assert len(hand.examples) == len(hand.studio.document.project.examples_of("agent", "goto"))
 
 
-def test_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
+def test_ctrl_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
     hand.teach("Wander", "agent-3", "agent-7")
     followed: list[str] = []
     hand.studio.teaching.follow_requested.connect(followed.append)
     assert hand.studio.teaching.node == "agent-3"
-    hand.key(Qt.Key.Key_Tab)
+    hand.key(Qt.Key.Key_Tab, CONTROL)
     assert hand.studio.teaching.node == "agent-7"
     assert hand.studio.selection.node == "agent-7"
     assert hand.page.turn.text() == "2 of 2: Agent 7"
     hand.settle()
     hand.pick("RotateLeft")
     assert hand.examples[-1].node == "agent-7"
-    hand.key(Qt.Key.Key_Tab)
+    hand.key(Qt.Key.Key_Tab, CONTROL)
     assert hand.studio.teaching.node == "agent-3"
     assert followed == ["agent-7", "agent-3"]
     assert set(hand.studio.selection.nodes) == {"agent-3", "agent-7"}
 
 
+def test_with_several_that_are_taught_tab_goes_on_through_the_window(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3", "agent-7")
+    hand.window.activateWindow()
+    hand.window.canvas.setFocus()
+    where = hand.window.canvas
+    for key in (Qt.Key.Key_Tab, Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+        before = hand.window.focusWidget()
+        hand.qtbot.keyClick(before, key)
+        assert hand.window.focusWidget() not in (None, before)
+    assert hand.window.focusWidget() is not where
+    assert hand.studio.teaching.node == "agent-3"
+
+
+def test_the_button_for_the_next_agent_says_its_key_the_users_own_included(hand: Hand) -> None:
+    hand.window.resize(1900, 1000)
+    hand.teach("Wander", "agent-3", "agent-7")
+    hand.wait(lambda: hand.page.next.text() == "Next agent (Ctrl+Tab)")
+    hand.studio.settings.set_key("teach.next", "Ctrl+J")
+    assert hand.page.next.text() == "Next agent (Ctrl+J)"
+    hand.key(Qt.Key.Key_J, CONTROL)
+    assert hand.studio.teaching.node == "agent-7"
+
+
 def test_after_undo_it_is_the_turn_of_whose_pick_was_taken_back(hand: Hand) -> None:
     hand.teach("Wander", "agent-3", "agent-7")
     hand.pick("RotateLeft")
-    hand.key(Qt.Key.Key_Tab)
+    hand.key(Qt.Key.Key_Tab, CONTROL)
     hand.pick("RotateLeft")
     hand.undo()
     assert hand.studio.teaching.node == "agent-7"
