@@ -6,15 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtWidgets import (
-    QComboBox,
-    QFormLayout,
-    QHBoxLayout,
-    QLineEdit,
-    QTabWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.edits import add_arm, add_type, delete_arm, move_arm, rename_arm, replace_arm, set_hierarchy
 from ...core.edits.calls import root_types
@@ -23,8 +15,9 @@ from ...core.naming import fresh_name
 from ...core.project import Arm, LevelTable, Value
 from ..forms.buttons import text_button
 from ..forms.choosing import Choice, Chooser
+from ..forms.ordered_list import Item, OrderedList
 from ..forms.parameter_form import ParameterForm
-from ..forms.parts import Complaint, Item, OrderedList
+from ..forms.parts import Complaint, side_by_side
 from .level_table import LevelTableForm
 
 if TYPE_CHECKING:
@@ -101,12 +94,8 @@ class ArmsPage(QWidget):
         left.addWidget(self.arms, 1)
         for button in (self.add, self.copy, self.use):
             left.addWidget(button)
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(left, 2)
-        both.addWidget(self.detail, 3)
         column = QVBoxLayout(self)
-        column.addLayout(both, 1)
+        column.addLayout(side_by_side(left, self.detail, shares=(2, 3)), 1)
         column.addWidget(self.trouble)
 
     # ------------------------------------------------------------------------------------------ showing

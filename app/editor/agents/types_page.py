@@ -6,21 +6,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QListWidget,
-    QListWidgetItem,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
 from ...core.edits import add_type, delete_type, rename_type, set_subsidiaries
 from ...core.library import NodeType
 from ...core.naming import fresh_name
 from ..forms.buttons import stand_back
-from ..forms.parts import Complaint, Item, OrderedList, caption, framed
+from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import Complaint, caption, framed, side_by_side
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -74,12 +67,8 @@ class TypesPage(QWidget):
                 "A type without any is one of agents. Controllers direct what all types under them can do."
             )
         )
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(left, 2)
-        both.addLayout(right, 3)
         column = QVBoxLayout(self)
-        column.addLayout(both, 1)
+        column.addLayout(side_by_side(left, right, shares=(2, 3)), 1)
         column.addWidget(self.trouble)
 
     @property

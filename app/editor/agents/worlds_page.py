@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from ...core.edits import delete_world, rename_world, set_world
 from ...core.errors import UnderstudyError
 from ...core.naming import fresh_name
 from ...core.project import Value
 from ..forms.buttons import stand_back
+from ..forms.ordered_list import Item, OrderedList
 from ..forms.parameter_form import ParameterForm
-from ..forms.parts import Complaint, Item, OrderedList, caption
+from ..forms.parts import Complaint, caption, side_by_side
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -53,12 +54,8 @@ class WorldsPage(QWidget):
         left.addWidget(
             caption("Bold parameters are set here; the others are as in the project, or the scenario's own.")
         )
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(left, 2)
-        both.addWidget(self.parameters, 3)
         column = QVBoxLayout(self)
-        column.addLayout(both, 1)
+        column.addLayout(side_by_side(left, self.parameters, shares=(2, 3)), 1)
         column.addWidget(self.trouble)
         studio.document.project_changed.connect(self.refresh)
         self.refresh()

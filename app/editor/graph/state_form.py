@@ -11,7 +11,8 @@ from ...core.edits import bind_state, note_state, order_rules, remove_rule, rena
 from ...core.edits.bindings import bindings_of
 from ...core.wording import content_words, rule_words, state_words
 from ..forms.list_choice import ListChoice
-from ..forms.parts import Item, OrderedList, caption
+from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import caption
 from ..forms.tab_order import tab_through
 from . import offers
 from .scoping import Scoping

@@ -8,7 +8,8 @@ from ...core.automaton import Automaton
 from ...core.edits import add_feature, drop_feature, move_feature, rebind_feature, rename_feature, tests_of
 from ...core.features import FeatureUse
 from ..forms.buttons import stand_back
-from ..forms.parts import Complaint, Item, OrderedList, caption
+from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import Complaint, caption, side_by_side
 from .editing import Editing
 from .source_form import SourceForm
 
@@ -69,10 +70,6 @@ class FeaturesPage(QWidget):
         left.addWidget(self.features, 1)
         right.addWidget(self.detail)
         right.addStretch(1)
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(left, 1)
-        both.addLayout(right, 1)
         adding = QHBoxLayout()
         adding.addWidget(self.new, 1)
         button = QVBoxLayout()
@@ -80,7 +77,7 @@ class FeaturesPage(QWidget):
         button.addStretch(1)
         adding.addLayout(button)
         column = QVBoxLayout(self)
-        column.addLayout(both, 1)
+        column.addLayout(side_by_side(left, right), 1)
         column.addLayout(adding)
         for below in (self.missing, self.trouble, self.force):
             column.addWidget(below)

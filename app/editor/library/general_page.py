@@ -18,7 +18,8 @@ from ...core.edits import rename_automaton, rename_parameter, set_note, set_para
 from ...core.naming import fresh_name
 from ..forms.buttons import stand_back
 from ..forms.list_choice import ListChoice
-from ..forms.parts import Complaint, Item, OrderedList, caption, framed
+from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import Complaint, caption, framed
 from .editing import Editing
 
 FIRST_PARAMETER = "X"

@@ -23,7 +23,7 @@ from ...core.features import (
 )
 from ...core.vocabulary import STANDARD_FLAGS, Feature, FeatureKind
 from ..forms.choosing import Choice, Chooser
-from ..forms.parts import SlotForm
+from ..forms.slot_form import SlotForm
 
 #: How a controller sums up, in words.
 OPERATIONS: Mapping[Operation, tuple[str, str]] = {

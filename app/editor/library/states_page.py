@@ -20,7 +20,9 @@ from ...core.naming import shown_content, shown_state
 from ...core.vocabulary import FINISHED
 from ..forms.buttons import stand_back
 from ..forms.choosing import Choice, Chooser
-from ..forms.parts import Complaint, Item, OrderedList, SlotForm, caption
+from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import Complaint, caption, side_by_side
+from ..forms.slot_form import SlotForm
 from .editing import Editing
 
 
@@ -127,12 +129,8 @@ class StatesPage(QWidget):
         right.addWidget(self.start)
         right.addWidget(self.detail)
         right.addStretch(1)
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(left, 1)
-        both.addLayout(right, 1)
         column = QVBoxLayout(self)
-        column.addLayout(both, 1)
+        column.addLayout(side_by_side(left, right), 1)
         column.addLayout(adding)
         column.addWidget(self.trouble)
 

@@ -13,7 +13,7 @@ from ...core.edits import move_demonstration, remove_demonstration, replace_demo
 from ...core.project import Demonstration, Project
 from ..actions import ActionRow, when_open
 from ..forms.buttons import closing
-from ..forms.parts import Item, OrderedList
+from ..forms.ordered_list import Item, OrderedList
 from ..room import resize_within
 from .replay_check import ReplayCheck
 
