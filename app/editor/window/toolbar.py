@@ -30,8 +30,10 @@ if TYPE_CHECKING:
 
 #: The field of the seed has room for at least and at most so many digits; longer seeds are scrolled in.
 SEED_DIGITS = (5, 10)
-#: Pixels of the buttons for reset and undo where there is room to say what they do.
-RESET_WORDS, UNDO_WORDS = 80, 170
+#: Pixels of the buttons for reset and undo where there is room to say what they do; of undo at least and at most.
+RESET_WORDS, UNDO_WORDS = 80, (170, 420)
+#: Pixels around the words of a button, its icon aside.
+AROUND_WORDS = 34
 #: Pixels of the list of arms, at least; where there is no room for it, it is in what the tool bar opens at its end.
 NARROWEST_ARM = 120
 
@@ -118,6 +120,8 @@ class Toolbar(QToolBar):
         self.addSeparator()
         self.undo = self._add("edit.undo")
         self._button_width = self.undo.sizeHint().width()  # without words
+        self._words_width = 0  # of undo with words; 0 without
+        self._longest = 0  # what the longest words took so far, so that nothing moves from step to step
         self._add("edit.redo")
         self.spacer = QWidget()
         self.spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -126,6 +130,7 @@ class Toolbar(QToolBar):
         studio.bridge.snapshot_changed.connect(self._snapshot_changed)
         studio.changed.connect(self._refresh)
         studio.opened.connect(self._refresh)
+        studio.opened.connect(self._begin_words)
         studio.theme.changed.connect(self._dress)
         studio.bridge.mode_changed.connect(self._dress)
         studio.document.history_changed.connect(self._say_what_undo_undoes)
@@ -142,22 +147,40 @@ class Toolbar(QToolBar):
         self._fit_words()
 
     def _fit_words(self) -> None:
-        more = RESET_WORDS + UNDO_WORDS - 2 * self._button_width
-        has_words = self.undo.toolButtonStyle() is Qt.ToolButtonStyle.ToolButtonTextBesideIcon
-        needed = self.sizeHint().width() + (0 if has_words else more)
-        if (self.width() >= needed) is not has_words:
-            self._show_words(shown=not has_words)
+        now = self._words_width
+        taken = RESET_WORDS + now if now else 2 * self._button_width
+        room = self.width() - (self.sizeHint().width() - taken) - RESET_WORDS
+        least, most = UNDO_WORDS
+        wanted = max(least, min(room, most, self._longest)) if room >= least else 0
+        if wanted != now:
+            self._words_width = wanted
+            self._show_words()
 
-    def _show_words(self, *, shown: bool) -> None:
-        style = Qt.ToolButtonStyle
-        for button, width in ((self.reset, RESET_WORDS), (self.undo, UNDO_WORDS)):
+    def _show_words(self) -> None:
+        style, shown = Qt.ToolButtonStyle, self._words_width > 0
+        for button, width in ((self.reset, RESET_WORDS), (self.undo, self._words_width)):
             button.setFixedWidth(width if shown else self._button_width)
             button.setToolButtonStyle(style.ToolButtonTextBesideIcon if shown else style.ToolButtonIconOnly)
+        self._elide_words()
+
+    def _begin_words(self) -> None:
+        """Another project is open: what was said of the one before needs no room in it."""
+        self._longest = 0
+        self._say_what_undo_undoes()
 
     def _say_what_undo_undoes(self) -> None:
-        action = self._studio.actions["edit.undo"]
-        text = undo_words(self._studio)
-        room = UNDO_WORDS - self.iconSize().width() - 34
+        needed = self.fontMetrics().horizontalAdvance(undo_words(self._studio)) + self._around_words
+        self._longest = max(self._longest, needed)
+        self._fit_words()
+        self._elide_words()
+
+    @property
+    def _around_words(self) -> int:
+        return self.iconSize().width() + AROUND_WORDS
+
+    def _elide_words(self) -> None:
+        action, text = self._studio.actions["edit.undo"], undo_words(self._studio)
+        room = max(self._words_width, UNDO_WORDS[0]) - self._around_words
         action.setIconText(plain(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room)))
 
     def _add(self, action: str) -> QToolButton:

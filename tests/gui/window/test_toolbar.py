@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import note_project
+from app.core.edits import add_automaton, note_project
 from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
-from app.editor.window.toolbar import Toolbar
+from app.editor.window.toolbar import UNDO_WORDS, Toolbar
 from tests.gui.conftest import PATIENCE, said
 
 
@@ -47,14 +47,35 @@ def test_where_there_is_room_the_tool_bar_says_what_undo_would_undo(
     studio.actions["edit.undo"].trigger()
     assert undo.text() == "Undo"
     assert undo.toolTip() == "Take back the last step, picks included (Ctrl+Z)"
-    just_enough = window.toolbar.sizeHint().width()
+    just_enough = window.toolbar.sizeHint().width() - (undo.minimumWidth() - UNDO_WORDS[0])
     window.resize(just_enough, 1000)
-    qtbot.waitUntil(lambda: window.toolbar.width() == just_enough and has_words())
+    qtbot.waitUntil(lambda: window.toolbar.width() == just_enough and has_words() and arm.isVisible())
     window.toolbar.seed.setText("1234567890")
     assert not has_words(), "a longer seed needs the room"
     assert arm.isVisible()
     window.resize(1280, 800)
     qtbot.waitUntil(lambda: not has_words() and arm.isVisible())
+
+
+def test_what_undo_would_undo_is_said_in_full_where_there_is_room_and_stays_in_its_place(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    tools = window.toolbar
+    redo = next(
+        b for b in tools.findChildren(QToolButton) if b.defaultAction() is studio.actions["edit.redo"]
+    )
+    studio.document.do(add_automaton, "agent", "Carry boxes home and wait")
+    window.resize(1920, 1080)
+    qtbot.waitUntil(lambda: tools.undo.text() == "Undo: Add behavior Carry boxes home and wait")
+    before = redo.x()
+    studio.document.do(note_project, "a note")
+    qtbot.waitUntil(lambda: "Carry" not in tools.undo.text())
+    assert redo.x() == before
+    studio.actions["edit.undo"].trigger()
+    window.resize(1600, 1000)
+    qtbot.waitUntil(lambda: tools.undo.text().endswith("…"))
+    assert tools.undo.sizeHint().width() <= tools.undo.width()
+    assert tools.arm.isVisible()
 
 
 def test_the_field_of_the_seed_takes_no_more_room_than_the_seed(window: MainWindow, qtbot: QtBot) -> None:
