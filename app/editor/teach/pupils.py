@@ -1,14 +1,17 @@
 """Which nodes can be taught a behavior, where, and which of its states they are in."""
 
-from collections.abc import Mapping
-from functools import lru_cache
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
 from itertools import islice
 
 from ...core.hierarchy import Hierarchy, Node
-from ...core.project import Project
+from ...core.project import Arm, Project
 from ...core.remembered import Remembered
 from ...engine.snapshots import Snapshot
 from ..selection import BehaviorKey
+
+#: So many other arms are offered where the one that is shown has nobody to teach.
+MOST_ARMS = 3
 
 
 def nodes_of(forest: Hierarchy, type_name: str) -> tuple[str, ...]:
@@ -62,6 +65,17 @@ class Pupils:
 def arms_with(project: Project, type_name: str) -> tuple[str, ...]:
     """The names of the arms that have a node of a type."""
     return tuple(arm.name for arm in project.arms if nodes_of(arm.forest(), type_name))
+
+
+def nobody_to_teach(
+    project: Project, shown: Arm | None, type_name: str, use_arm: Callable[[str], None]
+) -> tuple[str, tuple[tuple[str, Callable[[], None]], ...]]:
+    """Where the arm that is shown has no node of a type: words that say so, and answers that use another arm."""
+    arms = arms_with(project, type_name)
+    where = f"the arm {shown.name!r}" if shown else "this project"
+    what = "choose an arm that has one" if arms else "make an arm that has one"
+    answers = tuple((f"Use {name}", partial(use_arm, name)) for name in arms[:MOST_ARMS])
+    return f"there is no node of type {type_name!r} in {where}; {what}", answers
 
 
 def state_of(snapshot: Snapshot, node: str, key: BehaviorKey) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -18,13 +17,10 @@ from .arguments import Arguments
 from .asking import Asking
 from .choosing import Choosing
 from .keeping import Keeping, free_name
-from .pupils import Pupils, arms_with, members, state_of
+from .pupils import Pupils, members, nobody_to_teach, state_of
 
 if TYPE_CHECKING:
     from ..studio import Studio
-
-#: So many other arms are offered where the one that is shown has nobody to teach.
-MOST_ARMS = 3
 
 
 class Teaching(QObject):
@@ -165,7 +161,9 @@ class Teaching(QObject):
             return
         nodes = self._nodes_for(key)
         if not nodes:
-            self._refuse_without_nodes(key)
+            self._studio.warn(
+                *nobody_to_teach(self._studio.document.project, self._studio.arm, key.type, self._use_arm)
+            )
             return
         if self._is_going_on(key, nodes):
             return
@@ -311,9 +309,7 @@ class Teaching(QObject):
             self._studio.bridge.send(Test())
 
     def _again(self, lesson: LessonView, arguments: Mapping[str, str], others: Others) -> None:
-        plan = lesson.plan
-        filed = plan.demonstration
-        self._studio.bridge.send(Teach(plan.type, plan.automaton, plan.nodes, arguments, others, filed))
+        self._studio.bridge.send(replace(lesson.plan, arguments=arguments, others=others))
 
     def _is_going_on(self, key: BehaviorKey, nodes: tuple[str, ...]) -> bool:
         lesson = self.lesson
@@ -332,15 +328,6 @@ class Teaching(QObject):
         if snapshot is None:
             return ()
         return self._pupils.of(snapshot.place.hierarchy, key.type, self._studio.selection.nodes)
-
-    def _refuse_without_nodes(self, key: BehaviorKey) -> None:
-        arms = arms_with(self._studio.document.project, key.type)
-        there = self._studio.arm
-        where = f"the arm {there.name!r}" if there else "this project"
-        text = f"there is no node of type {key.type!r} in {where}"
-        what = "choose an arm that has one" if arms else "make an arm that has one"
-        answers = tuple((f"Use {name}", partial(self._use_arm, name)) for name in arms[:MOST_ARMS])
-        self._studio.warn(f"{text}; {what}", answers)
 
     def _use_arm(self, name: str) -> None:
         self._then_teach = True
