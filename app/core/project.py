@@ -159,7 +159,11 @@ class Project:
         return Types(self.types, self.libraries, scenario)
 
     def parameters_of(self, arm: Arm) -> Mapping[str, Value]:
-        """The scenario parameters of an arm, as far as the project sets them."""
+        """The scenario parameters of an arm, as far as the project sets them: its own over its world's over the project's.
+
+        Raises:
+            EditError: The arm names a world that is not there.
+        """
         if arm.world and arm.world not in self.worlds:
             there = ", ".join(repr(name) for name in self.worlds) or "none"
             raise EditError(f"arm {arm.name!r} names the world {arm.world!r}; there are: {there}")

@@ -58,7 +58,11 @@ def save_with_code(project: Project, code: Path, folder: Path) -> Project:
 
 
 def first_behavior(vocabulary: Vocabulary) -> str:
-    """The first basic behavior that agents can go on with, all by itself."""
+    """The first basic behavior that agents can go on with, all by itself.
+
+    Raises:
+        ScenarioError: All of them run only once, or have a target.
+    """
     for behavior in vocabulary.behaviors.values():
         if not behavior.runs_once and not behavior.parameters:
             return behavior.name

@@ -120,7 +120,12 @@ class Engine(Protocol):
         """What can be sensed now."""
 
     def step(self, ticks: int = 1, control: Control = FREE) -> None:
-        """Pass ticks; picks take effect in the first of them."""
+        """Pass ticks; picks take effect in the first of them.
+
+        Raises:
+            ScenarioError: A function of the scenario failed; the message names it, with file and line.
+            SessionError: A pick names a node or state that is not there; no tick has passed then.
+        """
 
     def frozen_world(self) -> FrozenWorld:
         """A copy of the world."""
@@ -150,7 +155,11 @@ class Engine(Protocol):
         """Go back to a copied world, and to what all nodes did then."""
 
     def move(self, entity: int, x: float, y: float) -> None:
-        """Put an entity somewhere else."""
+        """Put an entity somewhere else, in world units, as far as the scenario allows.
+
+        Raises:
+            ScenarioError: There is no such entity, the place is not finite, or the scenario's own function failed.
+        """
 
     def measures(self) -> Mapping[str, float]:
         """The scenario's measures now."""

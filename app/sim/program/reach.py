@@ -55,7 +55,11 @@ class Reached:
         return [(below, self.started(below, basic)) for below in self.below.get(kind, ())]
 
     def started(self, kind: str, basic: BasicBehavior) -> What:
-        """What a node of *kind* starts when directed to do *basic*."""
+        """What a node of *kind* starts when directed to do *basic*.
+
+        Raises:
+            ProgramError: It has no such behavior, or one of other parameters.
+        """
         repertoire = self._types.repertoire(kind)
         if basic.name not in repertoire:
             raise ProgramError(f"a subsidiary of type {kind!r} has no behavior {basic.name!r}")
