@@ -33,7 +33,7 @@ from .private import private_folder, unnamed_folder
 from .rows import file_rows, leaving_rows
 from .save_as import SaveAs
 from .saving import Saving, Stored
-from .words import clock
+from .words import clock, unclaimed
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -267,8 +267,10 @@ class Files(QObject):
             self._release(private)
         try:
             claimed = claims.claim(private, self.owner) is None
-        except OSError:
+        except OSError as error:
             claimed = False
+            if folder != self.held.folder:  # of the other it was told when it was opened
+                self.studio.warn(unclaimed(private, error))
         if claimed:
             self.held = replace(self.held, private=private, claimed=True)
             self._quietly(lambda: autosaves.note(self.state, self.owner, private))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -15,7 +15,7 @@ from ...core.storage import FilesError, load
 from ...engine.scenarios import OWN_CODE, brings_code, open_scenario
 from ...sim.scenario import Scenario
 from ..message import Kind, Message
-from . import autosaves, claims
+from . import autosaves, claims, words
 from .asking import Answer
 from .autosaves import Autosave
 from .claims import Owner
@@ -53,6 +53,7 @@ class Found:
     Attributes:
         project: None where it cannot be read; *error* says why.
         other: Who has it open already.
+        unclaimed: Why it could not be claimed, in words; empty if it is, or others have it.
         kept: What a window that is gone had saved by itself.
         code: The text of the scenario that the project brings; empty if it brings none.
         writable: Whether anything can be saved there.
@@ -64,6 +65,7 @@ class Found:
     stamps: Stamps
     other: Owner | None
     claimed: bool
+    unclaimed: str
     kept: Autosave | None
     code: str
     writable: bool
@@ -79,17 +81,18 @@ def look(folder: Path, state: Path, owner: Owner) -> Found:
         project = load(folder)
     except UnderstudyError as found:
         error = found
-    other, claimed = None, False
+    other, claimed, unclaimed = None, False, ""
     if (folder / "project.json").exists():
-        with contextlib.suppress(OSError):  # without a lock as well as with one
+        try:
             other = claims.claim(private, owner)
             claimed = other is None
+        except OSError as why:  # it opens without a lock as well as with one
+            unclaimed = words.unclaimed(private, why)
     kept = autosaves.find(private)
     if kept is not None and (not kept.is_left_over or kept.owner.token == owner.token):
         kept = None
-    return Found(
-        project, error, private, stamps, other, claimed, kept, _code(project, folder), writable(folder)
-    )
+    code, may_write = _code(project, folder), writable(folder)
+    return Found(project, error, private, stamps, other, claimed, unclaimed, kept, code, may_write)
 
 
 def _code(project: Project | None, folder: Path) -> str:
@@ -233,10 +236,16 @@ class Opening:
         files.waiting.emit("")
         if not found.writable:
             text = f"{folder} cannot be written to: what is to be kept goes into another folder"
-            answers = (("Save elsewhere…", files.save_as),)
-            files.studio.said.emit(
-                Message(text, Kind.WARNING, answers, holds=lambda: files.held.folder == folder)
-            )
+            self._warn(text, folder, ("Save elsewhere…", files.save_as))
+        if found.unclaimed:
+            self._warn(found.unclaimed, folder, ("Reload…", files.ask_reload))
+
+    def _warn(self, text: str, folder: Path, answer: tuple[str, Callable[[], object]]) -> None:
+        """Tell of what is wrong with the folder of the open project, as long as it is kept there."""
+        files = self._files
+        files.studio.said.emit(
+            Message(text, Kind.WARNING, (answer,), holds=lambda: files.held.folder == folder)
+        )
 
     def _unsound(self, wish: Wish, found: Found, error: UnderstudyError) -> None:
         self._give_up(found)

@@ -2,6 +2,8 @@
 
 import platform
 from datetime import datetime
+from os.path import lexists
+from pathlib import Path
 
 from .claims import Owner
 
@@ -14,6 +16,15 @@ def clock(at: datetime, now: datetime | None = None) -> str:
         return hours
     year = f" {at.year}" if at.year != today.year else ""
     return f"{at.day} {at:%B}{year}, {hours}"
+
+
+def unclaimed(private: Path, error: OSError) -> str:
+    """Why a project could not be claimed, what that means, and how it is mended."""
+    if lexists(private) and not private.is_dir():
+        why = f"{private} is a file, where Understudy needs a folder of that name"
+    else:
+        why = f"{private} cannot be written to ({error.strerror or error})"
+    return f"{why}: other windows are not told that this one has the project open. Rename or remove it, then reload."
 
 
 def whose(owner: Owner) -> str:

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import note_project
@@ -42,6 +43,42 @@ def test_a_lock_of_a_dead_process_is_taken_over(desk: MainWindow, qtbot: QtBot, 
     claims.claim(folder / NAME, gone)
     opened(desk, qtbot, folder)
     assert claims.holder_of(folder / NAME) == desk.files.owner
+
+
+def test_a_file_in_the_place_of_the_windows_own_folder_is_told_and_once_it_is_gone_the_project_is_claimed(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    (folder / NAME).write_text("not mine")
+    told: list[str] = []
+    desk.messages.shown.connect(told.append)
+    opened(desk, qtbot, folder)
+    qtbot.waitUntil(lambda: bool(told), timeout=PATIENCE)
+    assert f"{folder / NAME} is a file, where Understudy needs a folder of that name" in told[-1]
+    assert not desk.files.held.claimed
+    changed(desk, "mine")
+    press(desk, qtbot, "file.save", Qt.Key.Key_S)
+    qtbot.waitUntil(lambda: desk.studio.document.is_saved, timeout=PATIENCE)
+    assert (folder / NAME).read_text() == "not mine"
+    assert len(told) == 1
+    (folder / NAME).unlink()
+    reload = next(b for b in desk.messages.findChildren(QPushButton) if b.text() == "Reload…")
+    qtbot.mouseClick(reload, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: desk.files.held.claimed, timeout=PATIENCE)
+    assert claims.holder_of(folder / NAME) == desk.files.owner
+    assert desk.studio.document.project.note == "mine"
+
+
+def test_saved_into_a_folder_where_a_file_is_in_the_way_of_the_claim_that_is_told(
+    desk: MainWindow, qtbot: QtBot, folder: Path, tmp_path: Path
+) -> None:
+    opened(desk, qtbot, folder)
+    (tmp_path / "there").mkdir()
+    (tmp_path / "there" / NAME).write_text("not mine")
+    with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE) as shown:
+        desk.files.saving.into(tmp_path / "there")
+    assert shown.args is not None
+    assert "other windows are not told that this one has the project open" in shown.args[0]
+    assert load(tmp_path / "there").name == "Small"
 
 
 def test_files_changed_by_somebody_else_are_not_overwritten_unasked(
