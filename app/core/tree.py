@@ -106,6 +106,13 @@ class Forest:
         return Decision(tuple(number for d in decisions for number in d.key), probabilities)
 
 
+def trees_of(model: object) -> tuple[Tree, ...]:
+    """The trees that a model is made of; none, if it is made of something else."""
+    if isinstance(model, Forest):
+        return model.trees
+    return (model,) if isinstance(model, Tree) else ()
+
+
 def shares(counts: tuple[float, ...]) -> tuple[float, ...]:
     """*counts* divided by their sum; none at all stay zeros ("no data: stay")."""
     total = 0.0

@@ -14,6 +14,7 @@ from ..core.library import Types
 from ..core.project import Project
 from ..core.remembered import Remembered
 from ..core.vocabulary import Vocabulary
+from ..learner.freshness import Freshness
 from ..sim.scenario import Scenario
 
 
@@ -26,6 +27,7 @@ class Document(QObject):
         revision: Grows with every change.
         read_only: Whether saving is to ask for another folder.
         saving: Whether it is being saved just now.
+        freshness: Which automata have changed since they were learned; threads may ask it.
         autosaved: When unsaved work was kept last; None while nothing unsaved is kept.
 
     Signals:
@@ -49,6 +51,7 @@ class Document(QObject):
         self.read_only = False
         self.saving = False
         self.autosaved: datetime | None = None
+        self.freshness = Freshness()
         self._types: Remembered[str, Types] = Remembered()
 
     def begin(self, project: Project, scenario: Scenario, folder: Path | None, *, saved: bool = True) -> None:

@@ -66,16 +66,14 @@ def build(data: Dataset, growth: Growth = Growth(), cancelled: IsCancelled = nev
     """The decision tree of a dataset with at least one row.
 
     Raises:
-        LearningCancelled: *cancelled* returned true; it is asked once a level.
+        LearningCancelled: *cancelled* returned true; it is asked once a column of every level.
     """
     sketch = _Sketch()
     ranks = _ranks(data)
     frontier = _root(data, ranks, sketch)
     depth = 0
     while len(frontier.numbers) and not (growth.max_depth and depth == growth.max_depth):
-        if cancelled():
-            raise LearningCancelled
-        frontier = _grown(frontier, data, ranks, growth, sketch)
+        frontier = _grown(frontier, data, ranks, growth, sketch, cancelled)
         depth += 1
     return Tree(data.labels, sketch.assembled())
 
@@ -145,7 +143,12 @@ def _root(data: Dataset, ranks: Sequence[Integers], sketch: _Sketch) -> _Frontie
 
 
 def _grown(
-    frontier: _Frontier, data: Dataset, ranks: Sequence[Integers], growth: Growth, sketch: _Sketch
+    frontier: _Frontier,
+    data: Dataset,
+    ranks: Sequence[Integers],
+    growth: Growth,
+    sketch: _Sketch,
+    cancelled: IsCancelled,
 ) -> _Frontier:
     """Split the nodes of the frontier; return the next one."""
     rows = frontier.sorted_rows[0]
@@ -153,14 +156,12 @@ def _grown(
     totals = _counts(node, rows, data, len(frontier.numbers))
     level = level_of(node, data.y, data.weight, len(data.labels))
     nodes = whole(totals.T)
-    found = [
-        blocks(level, rows, rank, merged=column.kind in ORDERED)
-        for column, rows, rank in zip(data.columns, frontier.sorted_rows, ranks, strict=True)
-    ]
-    offers = [
-        best_splits(column, there, nodes, growth.least)
-        for column, there in zip(data.columns, found, strict=True)
-    ]
+    found, offers = [], []
+    for column, rows, rank in zip(data.columns, frontier.sorted_rows, ranks, strict=True):
+        if cancelled():
+            raise LearningCancelled
+        found.append(blocks(level, rows, rank, merged=column.kind in ORDERED))
+        offers.append(best_splits(column, found[-1], nodes, growth.least))
     splits = _splits(_chosen(offers, growth), data, found, offers)
     return _descended(frontier, data, splits, sketch)
 

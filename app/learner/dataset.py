@@ -7,10 +7,11 @@ unasked would separate every transition from every continuation and hide what th
 Rows are sorted by their contents, so everything that is learned depends on which examples there are, not on their order.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain
 from math import isfinite
+from operator import attrgetter, itemgetter
 from typing import Any
 
 import numpy as np
@@ -105,27 +106,25 @@ def sift(automaton: Automaton, examples: Sequence[Example]) -> Sifted:
     Left out are examples that mention a state which is gone, and those without a value for a feature in use.
     """
     states = {state.id for state in automaton.states}
-    features = [use.id for use in automaton.features]
+    features = dict.fromkeys(use.id for use in automaton.features)
     kept: list[Example] = []
     left_out: list[LeftOut] = []
     for example in examples:
         if not example.enabled:
             continue
-        if reason := _missing(example, states, features):
-            left_out.append(LeftOut(example.id, reason))
-        else:
+        if example.source in states and example.label in states and features.keys() <= example.values.keys():
             kept.append(example)
+        else:
+            left_out.append(LeftOut(example.id, _missing(example, states, features)))
     return Sifted(tuple(kept), tuple(left_out))
 
 
-def _missing(example: Example, states: set[str], features: Sequence[str]) -> str:
+def _missing(example: Example, states: Collection[str], features: Iterable[str]) -> str:
     for state in (example.source, example.label):
         if state not in states:
             return f"the state {state!r} is gone"
-    for feature in features:
-        if feature not in example.values:
-            return f"it has no value for the feature {feature!r}"
-    return ""
+    feature = next(feature for feature in features if feature not in example.values)
+    return f"it has no value for the feature {feature!r}"
 
 
 def columns_of(features: Sequence[FeatureUse], scenario: Vocabulary) -> tuple[Column, ...]:
@@ -163,17 +162,30 @@ def dataset(examples: Sequence[Example], states: Sequence[str], columns: Sequenc
     seen = {example.label for example in examples}
     labels = tuple(state for state in states if state in seen)
     place = {label: number for number, label in enumerate(labels)}
-    values = [[example.values[column.feature] for column in columns] for example in examples]
     unsorted = Dataset(
         labels,
         tuple(columns),
-        np.array(values, np.float64).reshape(len(examples), len(columns)),
+        matrix(examples, [column.feature for column in columns]),
         np.array([place[example.label] for example in examples], np.int64),
         np.array([example.weight for example in examples], np.float64),
         np.array([example.continuation for example in examples], np.bool_),
         tuple(examples),
     )
     return unsorted.rows(_by_contents(unsorted))
+
+
+def matrix(examples: Sequence[Example], features: Sequence[str]) -> Floats:
+    """The values of these features, examples by features."""
+    rows = map(reader(features), map(attrgetter("values"), examples))
+    shape = len(examples), len(features)
+    return np.fromiter(chain.from_iterable(rows), np.float64, shape[0] * shape[1]).reshape(shape)
+
+
+def reader(features: Sequence[str]) -> Callable[[Mapping[str, float]], tuple[float, ...]]:
+    """Reads the values of these features, in order; of several at once, as thousands of examples are read after every edit."""
+    if len(features) > 1:
+        return itemgetter(*features)
+    return lambda values: tuple(values[feature] for feature in features)
 
 
 def _by_contents(data: Dataset) -> Integers:
@@ -193,8 +205,15 @@ def refuse_unlearnable(automaton: Automaton, kept: Sequence[Example], vocabulary
     """
     raising = {state.id for state in automaton.states if _raises(state, vocabulary)}
     features = [use.id for use in automaton.features]
+    read = reader(features)
     for example in kept:
-        if problem := _problem(example, raising, features):
+        suspect = (
+            example.source in raising
+            or example.label == START
+            or not isfinite(sum(read(example.values)) + example.weight)
+            or example.weight <= 0.0
+        )
+        if suspect and (problem := _problem(example, raising, features)):
             where = f"behavior {automaton.name!r}, state {example.source!r}, example {example.id!r}"
             raise ExampleError(f"{where}: {problem}")
 
@@ -223,16 +242,26 @@ def _problem(example: Example, raising: set[str], features: Sequence[str]) -> st
 
 def conflicts(data: Dataset) -> tuple[tuple[str, ...], ...]:
     """Groups of example ids with equal values in every column but different labels."""
-    if not len(data):
-        return ()
-    changes = np.any(data.x[1:] != data.x[:-1], axis=1)
-    starts = np.concatenate(([0], np.flatnonzero(changes) + 1, [len(data)])).tolist()
-    groups = (range(start, end) for start, end in pairwise(starts))
     return tuple(
-        tuple(data.examples[row].id for row in group)
-        for group in groups
-        if len({int(data.y[row]) for row in group}) > 1
+        tuple(example.id for example in data.examples[start:end]) for start, end in _torn_runs(data.x, data.y)
     )
+
+
+def contradictory(x: Floats, y: Integers) -> Integers:
+    """The rows that have the same values in every column as another one, but not the same label."""
+    order = np.lexsort((y, *reversed(x.T)))
+    runs = [order[start:end] for start, end in _torn_runs(x[order], y[order])]
+    return np.concatenate(runs) if runs else np.empty(0, np.int64)
+
+
+def _torn_runs(x: Floats, y: Integers) -> Iterator[tuple[int, int]]:
+    """Where runs of equal rows of several labels begin and end, in rows that are sorted."""
+    if not len(x):
+        return
+    starts = np.concatenate(([0], np.flatnonzero(np.any(x[1:] != x[:-1], axis=1)) + 1))
+    torn = np.minimum.reduceat(y, starts) < np.maximum.reduceat(y, starts)
+    ends = np.append(starts[1:], len(x))
+    yield from zip(starts[torn].tolist(), ends[torn].tolist(), strict=True)
 
 
 def values_of(columns: Sequence[Column], row: Sequence[float]) -> Mapping[str, float]:

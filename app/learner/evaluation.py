@@ -11,7 +11,7 @@ import numpy as np
 
 from ..core.automaton import Settings
 from ..core.transition import Classifier
-from ..core.tree import Forest, Tree
+from ..core.tree import trees_of
 from .builder import IsCancelled, LearningCancelled, never
 from .dataset import Dataset, Integers, LeftOut, conflicts
 from .prediction import predicted
@@ -97,8 +97,7 @@ def report_on(
 
 def node_count(fitted: Classifier) -> int:
     """The number of nodes of a tree or a forest; 0 for anything else."""
-    trees = fitted.trees if isinstance(fitted, Forest) else (fitted,) if isinstance(fitted, Tree) else ()
-    return sum(1 for tree in trees for _ in tree.nodes())
+    return sum(1 for tree in trees_of(fitted) for _ in tree.nodes())
 
 
 def accuracy(data: Dataset, guessed: Integers) -> float:

@@ -1,5 +1,6 @@
 """What models say about whole datasets: the same walk as `app.core.tree`, for many rows at once."""
 
+from collections.abc import Mapping, Sequence
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -20,10 +21,8 @@ class Batched(Protocol):
 
 def probabilities(model: Classifier, data: Dataset) -> Floats:
     """The probabilities of the model's labels for each row of *data*, rows by labels."""
-    if isinstance(model, Tree):
-        return _of_tree(model, data)
-    if isinstance(model, Forest):
-        return np.asarray(sum(_of_tree(tree, data) for tree in model.trees) / len(model.trees), np.float64)
+    if isinstance(model, Tree | Forest):
+        return _stored(model, data.x, [column.feature for column in data.columns])
     if isinstance(model, Batched):
         return model.probabilities(data.x)
     rows = (values_of(data.columns, row) for row in data.x.tolist())
@@ -35,14 +34,28 @@ def predicted(model: Classifier, data: Dataset) -> Integers:
     return np.asarray(np.argmax(probabilities(model, data), axis=1), np.int64)
 
 
-def _of_tree(tree: Tree, data: Dataset) -> Floats:
-    place = {column.feature: number for number, column in enumerate(data.columns)}
-    found = np.zeros((len(data), len(tree.labels)))
-    stack = [(tree.root, np.arange(len(data)))]
+def most_probable(model: Tree | Forest, x: Floats, features: Sequence[str]) -> Integers:
+    """The same for rows of values of *features*, among which are all that the model tests."""
+    return np.asarray(np.argmax(_stored(model, x, features), axis=1), np.int64)
+
+
+def _stored(model: Tree | Forest, x: Floats, features: Sequence[str]) -> Floats:
+    place = {feature: number for number, feature in enumerate(features)}
+    if isinstance(model, Tree):
+        return _of_tree(model, x, place)
+    totals = np.zeros((len(x), len(model.labels)))
+    for tree in model.trees:
+        totals += _of_tree(tree, x, place)
+    return totals / len(model.trees) if model.trees else totals
+
+
+def _of_tree(tree: Tree, x: Floats, place: Mapping[str, int]) -> Floats:
+    found = np.zeros((len(x), len(tree.labels)))
+    stack = [(tree.root, np.arange(len(x)))]
     while stack:
         node, rows = stack.pop()
         if isinstance(node, Branch):
-            passes = holds(node.test, data.x[rows, place[node.test.feature]])
+            passes = holds(node.test, x[rows, place[node.test.feature]])
             stack += ((node.yes, rows[passes]), (node.no, rows[~passes]))
         else:
             found[rows] = shares(node.counts)

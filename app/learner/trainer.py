@@ -22,7 +22,7 @@ from ..core.transition import Classifier
 from ..core.tree import Forest, Tree, flatten
 from ..core.vocabulary import Vocabulary
 from .builder import IsCancelled, LearningCancelled, never
-from .dataset import Dataset, Sifted, columns_of, datasets, refuse_unlearnable, sift
+from .dataset import Dataset, Sifted, columns_of, datasets, reader, refuse_unlearnable, sift
 from .evaluation import BehaviorReport, StateReport, cross_validated, report_on
 from .registry import fit, options_of, stored
 
@@ -106,6 +106,15 @@ def with_examples(project: Project) -> tuple[Key, ...]:
         for node_type in project.types
         for automaton in project.library(node_type.name).bottom_up()
         if project.examples_of(node_type.name, automaton.id)
+    )
+
+
+def every_automaton(project: Project) -> tuple[Key, ...]:
+    """All automata, with examples or without."""
+    return tuple(
+        (node_type.name, automaton_id)
+        for node_type in project.types
+        for automaton_id in project.library(node_type.name).automata
     )
 
 
@@ -227,22 +236,20 @@ def fingerprint(automaton: Automaton, examples: Sequence[Example]) -> str:
     if automaton.cuts:  # without any, what was learned before there were cuts is not stale
         contents["cuts"] = [_plain(cut) for cut in automaton.cuts]
     found = hashlib.sha256(json.dumps(contents, sort_keys=True).encode())
-    for record in _records(kept, features):
-        found.update(record)
+    found.update(b"".join(_records(kept, features)))
     return found.hexdigest()
 
 
 def _records(examples: Sequence[Example], features: Sequence[str]) -> list[bytes]:
     """The contents of examples as bytes, sorted. Thousands are told apart after every edit, so this is to be quick."""
-    pack = struct.Struct(f"<{1 + len(features)}d").pack
+    pack, read = struct.Struct(f"<{1 + len(features)}d").pack, reader(features)
     words: dict[tuple[str, str, bool], bytes] = {}  # few differ
     records = []
     for example in examples:
         kind = example.source, example.label, example.continuation
         if kind not in words:
             words[kind] = repr(kind).encode()
-        values = example.values
-        records.append(words[kind] + pack(example.weight, *[values[feature] for feature in features]))
+        records.append(words[kind] + pack(example.weight, *read(example.values)))
     return sorted(records)
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cache
+from operator import attrgetter
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
@@ -154,6 +155,11 @@ class ExamplesModel(QAbstractTableModel):
         """The row of an example; -1 if it is not shown."""
         return self._places.get(example_id, -1)
 
+    def rows_of(self, example_ids: Iterable[str]) -> list[int]:
+        """The rows of those examples that are shown."""
+        places = self._places
+        return [places[example_id] for example_id in example_ids if example_id in places]
+
     def verdict(self, example: Example) -> Verdict:
         """What became of an example."""
         return self._verdicts.get(example.id, Verdict.UNKNOWN)
@@ -191,7 +197,7 @@ class ExamplesModel(QAbstractTableModel):
                 order = {verdict: place for place, verdict in enumerate(Verdict)}
                 return lambda example: order[self.verdict(example)]
             case _:
-                return _counted if all(example.id.isdecimal() for example in self._shown) else _spelled
+                return _counted if all(map(str.isdecimal, map(attrgetter("id"), self._shown))) else _spelled
 
     def _state(self, state_id: str) -> str:
         assert self.subject is not None

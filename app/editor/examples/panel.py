@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBox
 
 from ...core.amounts import counted
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
+from ...engine.turns import AFTER_EDITS
 from ...engine.worker import Worker
 from ..forms.nothing import NothingFound
 from ..icons import icon
@@ -20,7 +21,7 @@ from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, same_behavior, states_of
 from .rows import example_rows
 from .table import ExamplesTable
-from .verdicts import Judge, Judged, Matter, Verdict
+from .verdicts import Judged, Matter, Verdict, judge
 
 if TYPE_CHECKING:
     from ...core.examples import Example
@@ -57,7 +58,9 @@ class ExamplesPanel(QWidget):
         self.model = ExamplesModel()
         self.filters = FilterBar(self.model)
         self.table = ExamplesTable(self.model)
-        self._worker = Worker(Judge().judge, lambda matter, _: Judged(matter, {}), self._judged.emit, "judge")
+        self._worker = Worker(
+            AFTER_EDITS.taken(judge), lambda matter, _: Judged(matter, {}), self._judged.emit, "judge"
+        )
         self._empty = QLabel(EMPTY)
         self._empty.setProperty("role", "empty")
         self._empty.setWordWrap(True)
@@ -216,7 +219,7 @@ class ExamplesPanel(QWidget):
             return
         selection = QItemSelection()
         end = len(Column) - 1
-        rows = [row for i in self.chosen if (row := self.model.row_of(i)) >= 0]
+        rows = self.model.rows_of(self.chosen)
         for first, last in spans(rows):
             selection.select(self.model.index(first, 0), self.model.index(last, end))
         self._selecting = True
@@ -257,8 +260,8 @@ class ExamplesPanel(QWidget):
 
     def _first_chosen(self) -> Example | None:
         """The first selected example that is shown."""
-        rows = (self.model.row_of(example_id) for example_id in self.chosen)
-        return next((self.model.example(row) for row in rows if row >= 0), None)
+        rows = self.model.rows_of(self.chosen)
+        return self.model.example(rows[0]) if rows else None
 
     # ------------------------------------------------------------------------------------------- editing
 

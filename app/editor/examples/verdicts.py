@@ -1,14 +1,20 @@
-"""What has become of each example: whether what was learned agrees with it, and what stands against it."""
+"""What has become of each example: whether what was learned agrees with it, and what stands against it.
 
-from collections import defaultdict
-from collections.abc import Mapping, Sequence
+Ten thousand are judged after every edit, so models are asked about all examples of a state at once.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+import numpy as np
+
 from ...core.automaton import Automaton, Model, Refit
 from ...core.examples import Example
-from ...core.tree import Forest, Tree
+from ...core.tree import Forest, Tree, trees_of
 from ...engine.worker import IsCancelled
+from ...learner.dataset import contradictory, matrix, sift
+from ...learner.prediction import most_probable
 
 
 class Verdict(StrEnum):
@@ -51,65 +57,66 @@ class Judged:
     verdicts: Mapping[str, Verdict]
 
 
-class Judge:
-    """Judges examples time after time; what a model says of an example is worked out once for the two of them."""
-
-    def __init__(self) -> None:
-        self._opinions: dict[str, tuple[Example, Model | None, Verdict]] = {}
-
-    def judge(self, matter: Matter, cancelled: IsCancelled = lambda: False) -> Judged:
-        """Judge every example; given up early where *cancelled*."""
-        automaton = matter.automaton
-        features, states = {use.id for use in automaton.features}, {state.id for state in automaton.states}
-        against = _conflicting(matter.examples, tuple(use.id for use in automaton.features))
-        verdicts: dict[str, Verdict] = {}
-        for example in matter.examples:
-            if cancelled():
-                break
-            if not example.enabled:
-                verdict = Verdict.OFF
-            elif not (
-                example.source in states and example.label in states and features <= example.values.keys()
-            ):
-                verdict = Verdict.LEFT_OUT
-            elif example.id in against:
-                verdict = Verdict.CONFLICT
-            else:
-                verdict = self._opinion(example, automaton.learned.get(example.source))
-            verdicts[example.id] = verdict
-        return Judged(matter, verdicts)
-
-    def _opinion(self, example: Example, model: Model | None) -> Verdict:
-        known = self._opinions.get(example.id)
-        if known is None or known[0] is not example or known[1] is not model:
-            known = self._opinions[example.id] = example, model, _said(model, example)
-        return known[2]
+def judge(matter: Matter, cancelled: IsCancelled = lambda: False) -> Judged:
+    """Judge every example; given up early where *cancelled*."""
+    automaton, examples = matter.automaton, matter.examples
+    verdicts = {example.id: Verdict.LEFT_OUT if example.enabled else Verdict.OFF for example in examples}
+    for source, kept in _by_source(sift(automaton, examples).kept).items():
+        if cancelled():
+            return Judged(matter, {})
+        verdicts |= _opinions(automaton.learned.get(source), kept)
+    features = dict.fromkeys(use.id for use in automaton.features)
+    measured = [e for e in examples if e.enabled and features.keys() <= e.values.keys()]
+    for example_id in _conflicting(measured, list(features)):
+        if verdicts[example_id] is not Verdict.LEFT_OUT:
+            verdicts[example_id] = Verdict.CONFLICT
+    return Judged(matter, verdicts)
 
 
-def _said(model: Model | None, example: Example) -> Verdict:
-    """What a state's model says of an example."""
+def _by_source(examples: Iterable[Example]) -> Mapping[str, Sequence[Example]]:
+    found: dict[str, list[Example]] = {}
+    for example in examples:
+        found.setdefault(example.source, []).append(example)
+    return found
+
+
+def _opinions(model: Model | None, examples: Sequence[Example]) -> Mapping[str, Verdict]:
+    """What a state's model says of examples, by id."""
     if isinstance(model, Refit):
-        return Verdict.UNTOLD
+        return {example.id: Verdict.UNTOLD for example in examples}
     if not isinstance(model, Tree | Forest):
-        return Verdict.UNKNOWN
+        return {example.id: Verdict.UNKNOWN for example in examples}
+    tested = dict.fromkeys(feature for tree in trees_of(model) for feature in tree.features())
+    measured: list[Example] = []
+    lacking: list[Example] = []
+    for example in examples:
+        (measured if tested.keys() <= example.values.keys() else lacking).append(example)
+    best = most_probable(model, matrix(measured, list(tested)), list(tested)).tolist()
+    found = {
+        example.id: _agreement(model.labels[label], example)
+        for example, label in zip(measured, best, strict=True)
+    }
+    return found | {example.id: _said(model, example) for example in lacking}
+
+
+def _said(model: Tree | Forest, example: Example) -> Verdict:
+    """What a model says of an example that lacks a value of a feature that the model tests somewhere."""
     try:
         probabilities = model.decide(example.values.__getitem__).probabilities
-    except KeyError:  # the model still tests a feature that was dropped
+    except KeyError:  # it is of before a feature was dropped
         return Verdict.UNKNOWN
     best = max(range(len(probabilities)), key=probabilities.__getitem__)
-    return Verdict.AGREES if model.labels[best] == example.label else Verdict.OUTVOTED
+    return _agreement(model.labels[best], example)
 
 
-def _conflicting(examples: Sequence[Example], features: Sequence[str]) -> set[str]:
-    """Ids of enabled examples that have the same features as another of their state, and another label."""
-    alike: dict[object, list[Example]] = defaultdict(list)
-    for example in examples:
-        if example.enabled:
-            key = (example.source, *map(example.values.get, features))
-            alike[key].append(example)
-    return {
-        example.id
-        for group in alike.values()
-        if len({example.label for example in group}) > 1
-        for example in group
-    }
+def _agreement(label: str, example: Example) -> Verdict:
+    return Verdict.AGREES if label == example.label else Verdict.OUTVOTED
+
+
+def _conflicting(examples: Sequence[Example], features: Sequence[str]) -> Iterator[str]:
+    """Ids of examples that have the same features as another of their state, and another label."""
+    numbers: dict[str, int] = {}
+    for alike in _by_source(examples).values():
+        y = np.array([numbers.setdefault(example.label, len(numbers)) for example in alike], np.int64)
+        for row in contradictory(matrix(alike, features), y).tolist():
+            yield alike[row].id

@@ -5,22 +5,29 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass
 
+import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ...core.amounts import counted
+from ...core.automaton import Automaton
 from ...core.errors import UnderstudyError
+from ...core.examples import Example
 from ...core.project import Project
-from ...core.tree import Forest, Tree
+from ...core.tree import Forest, Tree, trees_of
 from ...core.vocabulary import Vocabulary
+from ...engine.turns import AFTER_EDITS
 from ...engine.worker import IsCancelled, Worker
 from ...learner.dataset import Dataset, columns_of, conflicts, datasets, sift
+from ...learner.freshness import Freshness
 from ...learner.prediction import predicted
-from ...learner.trainer import Key, fingerprint, refit
+from ...learner.trainer import Key, every_automaton, refit
 
 #: Milliseconds without another change before anything is worked out, as with learning: what is learned changes it again.
 PATIENCE = 120
 #: A share that differs from all by no more is all.
 ROUNDING = 1e-9
+#: The place of a label that no example has.
+NOWHERE = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +76,10 @@ class Fit:
         return said + ("; changed since it was learned" if self.stale else "")
 
 
-def fit_of(project: Project, scenario: Vocabulary, key: Key) -> Fit:
+def fit_of(project: Project, scenario: Vocabulary, key: Key, freshness: Freshness) -> Fit:
     """How well the stored models of an automaton fit its examples as they are now."""
     automaton, examples = project.library(key[0]).get(key[1]), project.examples_of(*key)
-    found = fingerprint(automaton, examples)
-    stale = bool(examples) and automaton.learned_from != found
+    found, stale = freshness.fingerprint(project, key), freshness.is_stale(project, key)
     try:
         sifted = sift(automaton, examples)
         data = datasets(automaton, sifted.kept, columns_of(automaton.features, scenario))
@@ -94,59 +100,38 @@ def _right(project: Project, scenario: Vocabulary, key: Key, state: str, rows: D
     classifier = model if isinstance(model, Tree | Forest) else refit(project, scenario, *key, state)
     if classifier is None:
         return 0.0
-    tested = {test for tree in _trees(model) for test in tree.features()}
+    tested = {test for tree in trees_of(model) for test in tree.features()}
     if not tested <= {column.feature for column in rows.columns}:
         return 0.0  # the model is of before a feature was dropped
     labels = model.labels if isinstance(model, Tree | Forest) else rows.labels
-    guessed = predicted(classifier, rows).tolist()
-    pairs = zip(guessed, rows.y.tolist(), rows.weight.tolist(), strict=True)
-    return sum(weight for guess, true, weight in pairs if labels[guess] == rows.labels[true])
-
-
-def _trees(model: object) -> tuple[Tree, ...]:
-    if isinstance(model, Forest):
-        return model.trees
-    return (model,) if isinstance(model, Tree) else ()
+    place = {label: number for number, label in enumerate(rows.labels)}
+    places = np.array([place.get(label, NOWHERE) for label in labels])
+    return sum(rows.weight[places[predicted(classifier, rows)] == rows.y].tolist())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Known:
-    made_of: tuple[object, ...]
-    states: tuple[str, ...]
+    automaton: Automaton
+    examples: tuple[Example, ...]
     fit: Fit
 
     def holds(self, project: Project, key: Key) -> bool:
-        if key[1] not in project.library(key[0]).automata:
+        automaton = project.library(key[0]).automata.get(key[1])
+        if automaton is None or self.examples is not project.examples_of(*key):
             return False
-        made_of = _made_of(project, key)
-        same = all(old is new for old, new in zip(self.made_of, made_of, strict=True))
-        return same and self.states == _states(project, key)
+        return automaton is self.automaton or _same(self.automaton, automaton)
 
 
-def _made_of(project: Project, key: Key) -> tuple[object, ...]:
-    """All that a fit depends on, besides states: not the automaton's name, nor how it is drawn or noted."""
-    automaton = project.library(key[0]).get(key[1])
+def _same(old: Automaton, new: Automaton) -> bool:
+    """Whether all that a fit depends on is the same: not the automaton's name, nor what its states hold or are called."""
     return (
-        automaton.features,
-        automaton.settings,
-        automaton.cuts,
-        automaton.learned,
-        automaton.learned_from,
-        project.examples_of(*key),
+        old.features is new.features
+        and old.settings is new.settings
+        and old.cuts is new.cuts
+        and old.learned is new.learned
+        and old.learned_from == new.learned_from
+        and [state.id for state in old.states] == [state.id for state in new.states]
     )
-
-
-def _states(project: Project, key: Key) -> tuple[str, ...]:
-    """What a fit depends on of states, as learning does: what they hold, and so what they are called, may change."""
-    return tuple(state.id for state in project.library(key[0]).get(key[1]).states)
-
-
-def _keys(project: Project) -> list[Key]:
-    return [
-        (node_type.name, automaton_id)
-        for node_type in project.types
-        for automaton_id in project.library(node_type.name).automata
-    ]
 
 
 class Fits(QObject):
@@ -159,12 +144,13 @@ class Fits(QObject):
     changed = Signal(object)
     _ready = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, freshness: Freshness, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._freshness = freshness
         self._known: dict[Key, _Known] = {}
         self._done: deque[tuple[Key, _Known]] = deque()
         self._worker: Worker[tuple[Project, Vocabulary, tuple[Key, ...]], None] = Worker(
-            self._work, lambda _question, _why: None, self._ready.emit, "fits"
+            AFTER_EDITS.taken(self._work), lambda _question, _why: None, self._ready.emit, "fits"
         )
         self._ready.connect(self._take)
         self._newest: tuple[Project, Vocabulary] | None = None
@@ -187,7 +173,7 @@ class Fits(QObject):
         if self._is_closed:
             return
         self._newest = project, scenario
-        keys = set(_keys(project))
+        keys = set(every_automaton(project))
         for gone in self._known.keys() - keys:
             del self._known[gone]
         if self._unknown(project):
@@ -198,7 +184,8 @@ class Fits(QObject):
 
     def _unknown(self, project: Project) -> tuple[Key, ...]:
         known = self._known
-        return tuple(key for key in _keys(project) if key not in known or not known[key].holds(project, key))
+        keys = every_automaton(project)
+        return tuple(key for key in keys if key not in known or not known[key].holds(project, key))
 
     def _ask(self) -> None:
         if self._newest is not None:
@@ -216,8 +203,9 @@ class Fits(QObject):
         for key in keys:
             if cancelled():
                 return
-            fit = fit_of(project, scenario, key)
-            self._done.append((key, _Known(_made_of(project, key), _states(project, key), fit)))
+            fit = fit_of(project, scenario, key, self._freshness)
+            automaton = project.library(key[0]).get(key[1])
+            self._done.append((key, _Known(automaton, project.examples_of(*key), fit)))
             self._ready.emit()
 
     def _take(self) -> None:

@@ -58,7 +58,7 @@ class LibraryPanel(QWidget):
         super().__init__()
         self._studio = studio
         self._surveyor = Surveyor()
-        self.fits = Fits(self)
+        self.fits = Fits(studio.document.freshness, self)
         self._arm = ""
         self._kept_in_sight: RowKey | None = None
         self._words: tuple[Project, dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]]] | None = None

@@ -6,6 +6,7 @@ Rows are values that compare equal where nothing that they show has changed, so 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from operator import attrgetter
 
 from ...core.automaton import Automaton, Basic, Nested
 from ...core.edits.calls import meanings, root_types, starting
@@ -188,7 +189,7 @@ def _row(
     project: Project, key: RowKey, automaton: Automaton, vocabulary: Vocabulary, users: tuple[Use, ...]
 ) -> Row:
     examples = project.examples_of(key.type, key.id)
-    enabled = sum(example.enabled for example in examples)
+    enabled = sum(map(attrgetter("enabled"), examples))
     return Row(
         key,
         automaton.name,

@@ -14,8 +14,9 @@ from ...core.library import Types
 from ...core.naming import shown_state
 from ...core.project import Project
 from ...core.vocabulary import Vocabulary
+from ...engine.turns import AFTER_EDITS
 from ...engine.worker import IsCancelled, Worker
-from ...learner.freshness import Freshness
+from ...learner.trainer import Key, every_automaton
 from ..document import Document
 
 #: Milliseconds without another change before the project is checked.
@@ -95,8 +96,10 @@ class Findings(QObject):
         super().__init__(parent)
         self._document = document
         self.found = Found(0)
-        self._checker, self._freshness = Checker(), Freshness()  # only the thread looks at them
-        self._worker: Worker[_Question, Found] = Worker(self._work, _broken, self._ready.emit, "problems")
+        self._checker = Checker()  # only the thread looks at it
+        self._worker: Worker[_Question, Found] = Worker(
+            AFTER_EDITS.taken(self._work), _broken, self._ready.emit, "problems"
+        )
         self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._soon.timeout.connect(self._ask)
         self._ready.connect(self._take)
@@ -129,6 +132,8 @@ class Findings(QObject):
 
     def _work(self, question: _Question, cancelled: IsCancelled) -> Found:
         revision, project, vocabulary = question
+        if cancelled():
+            return Found(revision)
         types = project.types_with(vocabulary)
         problems = self._checker.check(project, vocabulary)
         listed = []
@@ -139,23 +144,19 @@ class Findings(QObject):
         listed += [self._stale_finding(project, key) for key in self._stale(project, cancelled)]
         return Found(revision, tuple(listed), max(0, len(problems) - MOST))
 
-    def _stale(self, project: Project, cancelled: IsCancelled) -> list[tuple[str, str]]:
+    def _stale(self, project: Project, cancelled: IsCancelled) -> list[Key]:
         """The automata that have changed since they were learned."""
-        keys = [
-            (node_type.name, automaton_id)
-            for node_type in project.types
-            for automaton_id in project.library(node_type.name).automata
-        ]
-        self._freshness.keep(keys)
+        freshness, keys = self._document.freshness, every_automaton(project)
+        freshness.keep(keys)
         found = []
         for key in keys:
             if cancelled():
                 return []
-            if self._freshness.is_stale(project, key):
+            if freshness.is_stale(project, key):
                 found.append(key)
         return found
 
-    def _stale_finding(self, project: Project, key: tuple[str, str]) -> Finding:
+    def _stale_finding(self, project: Project, key: Key) -> Finding:
         name = project.library(key[0]).get(key[1]).name
         problem = Problem(automaton_file(*key), "learned", f"{name}: {STALE}", "warning")
         spot = Spot(*key)

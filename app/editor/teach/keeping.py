@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from itertools import count
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -31,7 +32,7 @@ _last: list[_Sizes] = []  # thousands of examples are counted once, though many 
 def demonstrations_of(examples: tuple[Example, ...]) -> Mapping[str, int]:
     """How many examples are filed under each name."""
     if not _last or _last[0][0] is not examples:
-        _last[:] = [(examples, Counter(example.demonstration for example in examples))]
+        _last[:] = [(examples, Counter(map(attrgetter("demonstration"), examples)))]
     return _last[0][1]
 
 

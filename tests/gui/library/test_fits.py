@@ -11,6 +11,7 @@ from app.core.project import Project
 from app.core.vocabulary import Vocabulary
 from app.editor.library import fits as module
 from app.editor.library.fits import Fit, Fits, fit_of
+from app.learner.freshness import Freshness
 from app.learner.trainer import Key, apply, learn
 from tests.gui.conftest import PATIENCE
 from tests.samples import AGENT, project, vocabulary
@@ -23,9 +24,9 @@ def worked_out(monkeypatch: pytest.MonkeyPatch) -> list[Key]:
     """The automata whose fits were worked out, in this order."""
     found: list[Key] = []
 
-    def noted(project: Project, scenario: Vocabulary, key: Key) -> Fit:
+    def noted(project: Project, scenario: Vocabulary, key: Key, freshness: Freshness) -> Fit:
         found.append(key)
-        return fit_of(project, scenario, key)
+        return fit_of(project, scenario, key, freshness)
 
     monkeypatch.setattr(module, "fit_of", noted)
     return found
@@ -33,7 +34,7 @@ def worked_out(monkeypatch: pytest.MonkeyPatch) -> list[Key]:
 
 @pytest.fixture
 def fits(worked_out: list[Key]) -> Iterator[Fits]:
-    fits = Fits()
+    fits = Fits(Freshness())
     yield fits
     fits.close()
 

@@ -2,15 +2,12 @@
 
 from dataclasses import replace
 
-import pytest
-
-from app.core.automaton import Automaton, Basic, Model, Refit, State
+from app.core.automaton import Automaton, Basic, Refit, State
 from app.core.conditions import AtMost
 from app.core.examples import Example
 from app.core.features import FeatureUse, Sense
 from app.core.tree import Branch, Leaf, Tree
-from app.editor.examples import verdicts
-from app.editor.examples.verdicts import MEANINGS, Judge, Matter, Verdict
+from app.editor.examples.verdicts import MEANINGS, Matter, Verdict, judge
 
 TREE = Tree(("go", "stop"), Branch(AtMost("f", 5.0), Leaf((3.0, 0.0)), Leaf((0.0, 3.0)), (3.0, 3.0)))
 AUTOMATON = Automaton(
@@ -23,7 +20,7 @@ AUTOMATON = Automaton(
 
 
 def verdict_on(*examples: Example) -> list[Verdict]:
-    judged = Judge().judge(Matter(AUTOMATON, examples))
+    judged = judge(Matter(AUTOMATON, examples))
     return [judged.verdicts[example.id] for example in examples]
 
 
@@ -57,12 +54,11 @@ def test_of_a_state_without_a_tree_nothing_is_known() -> None:
     assert verdict_on(example(1, "go", 4.0, source="stop")) == [Verdict.UNKNOWN]
 
 
-def test_what_was_judged_before_follows_the_example_and_the_model() -> None:
-    judge = Judge()
+def test_the_verdict_follows_the_example_and_the_model() -> None:
     first, other = example(1, "go", 4.0), example(2, "stop", 6.0)
 
     def found(automaton: Automaton, *examples: Example) -> list[Verdict]:
-        return list(judge.judge(Matter(automaton, examples)).verdicts.values())
+        return list(judge(Matter(automaton, examples)).verdicts.values())
 
     assert found(AUTOMATON, first, other) == [Verdict.AGREES, Verdict.AGREES]
     assert found(AUTOMATON, replace(first, label="stop"), other) == [Verdict.OUTVOTED, Verdict.AGREES]
@@ -71,22 +67,14 @@ def test_what_was_judged_before_follows_the_example_and_the_model() -> None:
     assert found(replace(stops, learned={}), first, other) == [Verdict.UNKNOWN, Verdict.UNKNOWN]
 
 
-def test_a_model_is_asked_once_about_an_example_that_stays(monkeypatch: pytest.MonkeyPatch) -> None:
-    judge, asked = Judge(), list[str]()
-
-    def said(model: Model | None, example: Example) -> Verdict:
-        asked.append(example.id)
-        return Verdict.UNKNOWN
-
-    monkeypatch.setattr(verdicts, "_said", said)
-    kept = example(1, "go", 4.0)
-    for other in (example(2, "go", 5.0), example(2, "go", 5.5)):
-        judge.judge(Matter(AUTOMATON, (kept, other)))
-    assert asked == ["1", "2", "2"]
+def test_what_a_model_says_by_a_feature_that_was_dropped_is_known_where_the_example_has_it() -> None:
+    without = replace(AUTOMATON, features=())
+    assert judge(Matter(without, (example(1, "go", 4.0),))).verdicts == {"1": Verdict.AGREES}
+    assert judge(Matter(without, (Example("1", "go", "go", {}),))).verdicts == {"1": Verdict.UNKNOWN}
 
 
 def test_judging_ends_when_it_is_cancelled() -> None:
-    assert Judge().judge(Matter(AUTOMATON, (example(1, "go", 4.0),)), lambda: True).verdicts == {}
+    assert judge(Matter(AUTOMATON, (example(1, "go", 4.0),)), lambda: True).verdicts == {}
 
 
 def test_every_verdict_is_explained() -> None:
@@ -95,4 +83,4 @@ def test_every_verdict_is_explained() -> None:
 
 def test_of_a_model_without_a_tree_nobody_says_that_nothing_was_learned() -> None:
     fitted = replace(AUTOMATON, learned={"go": Refit("knn")})
-    assert Judge().judge(Matter(fitted, (example(1, "go", 4.0),))).verdicts == {"1": Verdict.UNTOLD}
+    assert judge(Matter(fitted, (example(1, "go", 4.0),))).verdicts == {"1": Verdict.UNTOLD}

@@ -12,6 +12,7 @@ from app.editor.library.filtering import matches
 from app.editor.library.fits import fit_of
 from app.editor.library.survey import Group, Kind, Row, RowKey, Surveyor, from_the_top
 from app.engine.scenarios import open_scenario
+from app.learner.freshness import Freshness
 
 FORAGING = Path(__file__).parents[4] / "projects" / "foraging"
 
@@ -97,7 +98,7 @@ def test_the_filter_looks_where_it_is_told(project: Project) -> None:
 
 
 def test_a_fit_says_how_many_examples_its_models_get_right(project: Project) -> None:
-    fit = fit_of(project, open_scenario(project).vocabulary, ("agent", "goto"))
+    fit = fit_of(project, open_scenario(project).vocabulary, ("agent", "goto"), Freshness())
     assert fit.share == 1.0
     assert not fit.stale
     assert fit.words.startswith("fits 100% of ")
