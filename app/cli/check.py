@@ -113,7 +113,7 @@ def _of_parameters(project: Project, scenario: Scenario) -> list[Complaint]:
 
 
 def document(verdict: Verdict) -> dict[str, Any]:
-    """The verdict for programs (DESIGN section 9)."""
+    """The verdict for programs."""
     problems = [
         {"file": c.file, "where": c.where, "message": c.message, "severity": c.severity, "fix": c.fix}
         for c in verdict.complaints

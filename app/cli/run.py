@@ -149,7 +149,7 @@ def chosen_arm(project: Project, name: str | None) -> Arm:
 
 
 def document(outcome: Outcome) -> dict[str, Any]:
-    """The result for programs (DESIGN section 9)."""
+    """The result for programs."""
     return {
         "project": outcome.project.name,
         "arm": outcome.arm.name,

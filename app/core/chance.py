@@ -1,7 +1,7 @@
 """Chance without state: every draw is a hash of where and when it happens.
 
 A draw depends only on (seed, world, who, tick, number), so the result of a run depends on neither the engine, the
-thread, the order in which agents are visited, nor how ticks are cut into slices (DESIGN section 6).
+thread, the order in which agents are visited, nor how ticks are cut into slices.
 """
 
 from collections.abc import Sequence

@@ -124,7 +124,7 @@ class Types:
     """The node types of a project with their libraries, and the vocabulary that each can use.
 
     A controller's basic behaviors are those that all its subsidiaries' types share by name and signature (the names
-    of the parameters, in order), derived automatically (DESIGN section 5).
+    of the parameters, in order), derived automatically (paper, section 3.2).
     """
 
     def __init__(

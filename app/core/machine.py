@@ -1,4 +1,4 @@
-"""One tick of deciding, in plain Python: the specification that every faster engine must match (DESIGN section 3).
+"""One tick of deciding, in plain Python: the specification that every faster engine must match (paper, section 3).
 
 The machine knows nothing of any world. It asks `Senses` for features and targets and returns the basic behaviors that
 the agents are to perform; the world then lets them act.

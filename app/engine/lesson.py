@@ -1,4 +1,4 @@
-"""One lesson: nodes in training mode, and testing with corrections (DESIGN section 4).
+"""One lesson: nodes in training mode, and testing with corrections (paper, section 3.1).
 
 A lesson changes only what the nodes do. What a pick teaches reaches the caller as a `Recorded` value, an edit.
 """

@@ -1,4 +1,4 @@
-"""Moments: the world and what all nodes do, taken so that features can be computed later (DESIGN section 4)."""
+"""Moments: the world and what all nodes do, taken so that features can be computed later."""
 
 import hashlib
 

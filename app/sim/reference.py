@@ -1,4 +1,4 @@
-"""The plain-Python engine: slow, obvious, and the specification of every other one (DESIGN section 6)."""
+"""The plain-Python engine: slow, obvious, and the specification of every other one."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Projects on disk: a folder that reads well in git (DESIGN section 8).
+"""Projects on disk: a folder that reads well in git.
 
 ``load`` and ``save`` are all that the rest of the program needs. Only this package knows file names and JSON; nothing in
 it runs what a project holds. Files are checked for their form alone: whether names resolve and bindings are closed is

@@ -51,7 +51,7 @@ class Figure:
 
 
 def document(figure: Figure) -> Mapping[str, Any]:
-    """The figure for programs (DESIGN section 9)."""
+    """The figure for programs."""
     measure = figure.measure
     return {
         "name": measure.name,

@@ -20,7 +20,7 @@ class Files:
 
 
 def document(found: Findings, files: Files) -> dict[str, Any]:
-    """The result for programs (DESIGN section 9)."""
+    """The result for programs."""
     return {
         "experiment": found.experiment.name,
         "title": found.experiment.title,

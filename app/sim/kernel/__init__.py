@@ -1,4 +1,4 @@
-"""The compiled engine: one generated kernel for each scenario, which steps any program in it (DESIGN section 6).
+"""The compiled engine: one generated kernel for each scenario, which steps any program in it.
 
 numba may be imported here and nowhere else.
 """

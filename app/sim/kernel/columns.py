@@ -1,7 +1,7 @@
 # mypy: disable-error-code="no-untyped-call"
 """Columns as compiled code sees them: bare pointers, read and written by index, without bounds or reference counts.
 
-Arrays in a hot loop cost six times as much (DESIGN section 11). The price: an index out of range is not noticed, and the
+Arrays in a hot loop cost six times as much. The price: an index out of range is not noticed, and the
 arrays must outlive the call. A world, a program and its runs are blocks: one address, from which the addresses of all
 columns are read, so that a function that is called costs one argument a block and not one a column.
 """

@@ -1,4 +1,4 @@
-"""Libraries and a forest lowered to flat, read-only arrays, which a kernel can step (DESIGN section 6).
+"""Libraries and a forest lowered to flat, read-only arrays, which a kernel can step.
 
 May import `app.core` and numpy; knows nothing of numba.
 """

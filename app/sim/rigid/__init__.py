@@ -1,4 +1,4 @@
-"""Rigid physics: pymunk moves the bodies (DESIGN section 6). pymunk may be imported here and nowhere else.
+"""Rigid physics: pymunk moves the bodies. pymunk may be imported here and nowhere else.
 
 Time is counted in ticks, lengths in world units, and an agent has mass 1. A run's physics is a function of its columns and
 of what the solver remembers from one tick to the next; the latter is thrown away at every keyframe.

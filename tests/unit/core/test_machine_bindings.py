@@ -1,4 +1,4 @@
-"""DESIGN section 3, parameters: who binds, who performs, and what an open slot or a target without referent does."""
+"""Parameters: who binds, who performs, and what an open slot or a target without referent does."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""DESIGN section 5: directing, joining, and statistics, in forests of several shapes."""
+"""Directing, joining, and statistics, in forests of several shapes."""
 
 import pytest
 

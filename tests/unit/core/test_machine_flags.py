@@ -1,4 +1,4 @@
-"""DESIGN section 3, flags: traces worked out by hand."""
+"""Flags: traces worked out by hand."""
 
 import pytest
 

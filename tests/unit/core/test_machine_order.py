@@ -1,4 +1,4 @@
-"""DESIGN section 5 and 3: all features read the flags as they were when the tick began, whoever ticks first."""
+"""All features read the flags as they were when the tick began, whoever ticks first."""
 
 from app.core.automaton import START, Automaton
 from app.core.features import FeatureUse, FlagUp, Operation, Over, Sense, Statistic

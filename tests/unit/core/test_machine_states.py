@@ -1,4 +1,4 @@
-"""DESIGN section 3, one tick of one automaton: traces worked out by hand."""
+"""One tick of one automaton: traces worked out by hand."""
 
 from app.core.automaton import START
 from app.core.conditions import AtMost

@@ -1,4 +1,4 @@
-"""DESIGN section 4, as far as it concerns the machine: picks, taught nodes, and nodes that stand still."""
+"""Teaching, as far as it concerns the machine: picks, taught nodes, and nodes that stand still."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""DESIGN section 3, transitions: authored rules, then the learned tree, then "stay"; sampled, most probable, or held."""
+"""Transitions: authored rules, then the learned tree, then "stay"; sampled, most probable, or held."""
 
 from dataclasses import replace
 

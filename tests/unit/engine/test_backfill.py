@@ -1,4 +1,4 @@
-"""Features added after demonstrating: their values are those that would have been recorded (DESIGN section 4)."""
+"""Features added after demonstrating: their values are those that would have been recorded."""
 
 from collections.abc import Callable
 from dataclasses import replace

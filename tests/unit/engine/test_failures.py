@@ -1,4 +1,4 @@
-"""A scenario that fails stops the world and keeps the project; a reset goes on (DESIGN section 7)."""
+"""A scenario that fails stops the world and keeps the project; a reset goes on."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Controllers are taught in the same way as agents: what is picked for them, their subsidiaries do (DESIGN section 5)."""
+"""Controllers are taught in the same way as agents: what is picked for them, their subsidiaries do (paper, section 3.2)."""
 
 from app.core.automaton import START
 from app.core.edits import add_feature

@@ -1,4 +1,4 @@
-"""Testing mode, corrections in the middle of a test, and mending what already happened (DESIGN section 4)."""
+"""Testing mode, corrections in the middle of a test, and mending what already happened (paper, section 3.1)."""
 
 from dataclasses import replace
 

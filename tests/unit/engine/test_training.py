@@ -1,4 +1,4 @@
-"""Training mode, sentence by sentence (DESIGN section 4)."""
+"""Training mode, sentence by sentence (paper, section 3.1)."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""DESIGN section 6, foraging: grabbing, letting go, depositing, and what a user's hand does to boxes."""
+"""Foraging: grabbing, letting go, depositing, and what a user's hand does to boxes."""
 
 from math import dist
 from typing import Any

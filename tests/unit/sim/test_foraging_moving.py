@@ -1,4 +1,4 @@
-"""DESIGN section 6, foraging: walking, turning, walls, and pulling."""
+"""Foraging: walking, turning, walls, and pulling."""
 
 from math import cos, pi, radians, sin
 from typing import Any

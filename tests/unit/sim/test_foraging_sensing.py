@@ -1,4 +1,4 @@
-"""DESIGN section 6, foraging: features and targets."""
+"""Foraging: features and targets."""
 
 from math import pi
 

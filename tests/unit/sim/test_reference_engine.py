@@ -1,4 +1,4 @@
-"""One tick of the world, chance, and going back: what every engine has to do (DESIGN sections 3 and 6)."""
+"""One tick of the world, chance, and going back: what every engine has to do."""
 
 from collections.abc import Callable
 from typing import Any
