@@ -5,8 +5,9 @@ Nothing here throws an example away except taking back the very pick that record
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import repeat
+from itertools import chain, repeat
 from math import isfinite
+from operator import attrgetter
 
 from ..automaton import Automaton, State
 from ..errors import EditError
@@ -154,7 +155,7 @@ def enable_examples(
     """Learn from these examples again; refused for those of a state that was removed."""
     automaton, wanted = find_automaton(project, type_name, automaton_id), set(example_ids)
     enabled = [e for e in project.examples_of(type_name, automaton_id) if e.id in wanted]
-    refuse_states(automaton, dict.fromkeys(state for e in enabled for state in (e.source, e.label)))
+    refuse_states(automaton, dict.fromkeys(chain.from_iterable(map(attrgetter("source", "label"), enabled))))
     return _change_examples(
         project, type_name, automaton_id, example_ids, lambda some: changed(some, enabled=[True] * len(some))
     )
