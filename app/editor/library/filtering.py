@@ -2,16 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSortFilterProxyModel
 
 from .model import LibraryModel
-from .survey import Row
+from .survey import Row, RowKey, words_of
+
+if TYPE_CHECKING:
+    from ...core.project import Project
+    from ..document import Document
 
 #: Gives the names of a behavior's features, and those of its states.
 Words = Callable[[Row], tuple[tuple[str, ...], tuple[str, ...]]]
 FEATURE, STATE = "feature:", "state:"
+
+
+class KnownWords:
+    """Gives the words by which behaviors are found besides their names, looked up once in each project."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._project: Project | None = None
+        self._known: dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]] = {}
+
+    def __call__(self, row: Row) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """See `Words`."""
+        key, project = row.key, self._document.project
+        if self._project is not project:
+            self._project, self._known = project, {}
+        if key not in self._known:
+            library = project.library(key.type)
+            automaton = library.automata.get(key.id)
+            self._known[key] = ((), ()) if automaton is None else words_of(automaton, library)
+        return self._known[key]
 
 
 class LibraryFilter(QSortFilterProxyModel):
@@ -40,6 +65,21 @@ class LibraryFilter(QSortFilterProxyModel):
             return True
         found = self._library.row(self._library.index(row, 0, parent))
         return found is not None and matches(found, self.text, self._words)
+
+    def found(self) -> Iterator[QModelIndex]:
+        """The behaviors that are left, from the top."""
+        for at in range(self.rowCount()):
+            group = self.index(at, 0)
+            yield from (self.index(row, 0, group) for row in range(self.rowCount(group)))
+
+    def nearest(self) -> QModelIndex | None:
+        """The behavior whose name is nearest to what the filter says, the first of several; None if none is left."""
+        return min(self.found(), key=self._farness, default=None)
+
+    def _farness(self, index: QModelIndex) -> int:
+        row = self._library.row(self.mapToSource(index))
+        name = "" if row is None else row.name.casefold()
+        return 0 if name == self.text else 1 if name.startswith(self.text) else 2 if self.text in name else 3
 
 
 def matches(row: Row, text: str, words: Words) -> bool:

@@ -10,18 +10,17 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.edits import duplicate_automaton, rename_automaton
-from ...core.project import Project
 from ..forms.nothing import NothingFound
-from ..letters import plain
 from ..selection import BehaviorKey
 from ..soon import Soon
 from .delegate import CONFLICTS, STALE, USES, BehaviorDelegate
 from .deleting import delete_behavior
-from .filtering import LibraryFilter
+from .filtering import KnownWords, LibraryFilter
 from .fits import Fits
+from .menus import context_menu, uses_menu
 from .model import LibraryModel
 from .rows import library_rows
-from .survey import Group, Kind, Row, RowKey, Surveyor, Use, words_of
+from .survey import Group, Kind, Row, RowKey, Surveyor, Use
 from .tree import LibraryTree
 
 if TYPE_CHECKING:
@@ -30,18 +29,6 @@ if TYPE_CHECKING:
 #: Pixels below which names and facts have no room.
 NARROWEST = 210
 NOTHING_FOUND = "No behavior here has these words in its name, features or states."
-#: Actions of the context menu; an empty one is a line.
-MENU = (
-    "behavior.open",
-    "behavior.settings",
-    "behavior.note",
-    "",
-    "behavior.rename",
-    "behavior.duplicate",
-    "behavior.delete",
-    "",
-    "behavior.new",
-)
 
 
 class LibraryPanel(QWidget):
@@ -61,9 +48,8 @@ class LibraryPanel(QWidget):
         self.fits = Fits(studio.document.freshness, self)
         self._arm = ""
         self._kept_in_sight: RowKey | None = None
-        self._words: tuple[Project, dict[RowKey, tuple[tuple[str, ...], tuple[str, ...]]]] | None = None
         self.model = LibraryModel(self.fits, self._renamed)
-        self.shown = LibraryFilter(self.model, self._words_of)
+        self.shown = LibraryFilter(self.model, KnownWords(studio.document))
         self.tree = LibraryTree()
         self.delegate = BehaviorDelegate(studio, self.tree)
         self.filter = QLineEdit()
@@ -286,22 +272,7 @@ class LibraryPanel(QWidget):
 
     def menu(self, row: Row | None) -> QMenu:
         """The context menu of a behavior."""
-        menu = self._new_menu()
-        if row is None or not row.is_automaton:
-            menu.addAction(self._studio.actions["behavior.new"])
-        else:
-            for action in MENU:
-                if action:
-                    menu.addAction(self._studio.actions[action])
-                else:
-                    menu.addSeparator()
-        if row is not None:
-            menu.addSeparator()
-            for title, uses in (("Used by", row.used_by), ("Uses", row.uses)):
-                below = menu.addMenu(f"{title} ({len(uses)})")
-                below.setEnabled(bool(uses))
-                self._list_uses(below, uses)
-        return menu
+        return context_menu(self, self._studio, row, self.jump)
 
     def _show_links(self, row: Row, part: str, spot: QPoint) -> None:
         if part == STALE:
@@ -311,20 +282,7 @@ class LibraryPanel(QWidget):
             self._studio.selection.select_behavior(BehaviorKey(row.key.type, row.key.id))
             self._studio.actions["examples.conflicts"].trigger()
             return
-        menu = self._new_menu()
-        self._list_uses(menu, row.uses if part == USES else row.used_by)
-        menu.popup(spot)
-
-    def _list_uses(self, menu: QMenu, uses: tuple[Use, ...]) -> None:
-        for use in uses:
-            action = menu.addAction(plain(use.words[:1].upper() + use.words[1:]))
-            action.triggered.connect(lambda _=False, use=use: self.jump(use))
-
-    def _new_menu(self) -> QMenu:
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.setToolTipsVisible(True)
-        return menu
+        uses_menu(self, row.uses if part == USES else row.used_by, self.jump).popup(spot)
 
     # ------------------------------------------------------------------------------------------- filter
 
@@ -367,29 +325,7 @@ class LibraryPanel(QWidget):
 
     def _enter_tree(self) -> None:
         """Enter in the filter goes to the first behavior that is called so, or else to the first that is left."""
-        found = list(self._found())
-        if found:
-            self._make_current(min(found, key=self._farness))
+        nearest = self.shown.nearest()
+        if nearest is not None:
+            self._make_current(nearest)
             self.tree.setFocus(Qt.FocusReason.ShortcutFocusReason)
-
-    def _found(self) -> Iterator[QModelIndex]:
-        for at in range(self.shown.rowCount()):
-            group = self.shown.index(at, 0)
-            yield from (self.shown.index(row, 0, group) for row in range(self.shown.rowCount(group)))
-
-    def _farness(self, index: QModelIndex) -> int:
-        """How far the name of a behavior is from what the filter says."""
-        row, text = self._row(index), self.shown.text
-        name = "" if row is None else row.name.casefold()
-        return 0 if name == text else 1 if name.startswith(text) else 2 if text in name else 3
-
-    def _words_of(self, row: Row) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        project = self._studio.document.project
-        if self._words is None or self._words[0] is not project:
-            self._words = project, {}
-        known = self._words[1]
-        if row.key not in known:
-            library = project.library(row.key.type)
-            automaton = library.automata.get(row.key.id)
-            known[row.key] = ((), ()) if automaton is None else words_of(automaton, library)
-        return known[row.key]
