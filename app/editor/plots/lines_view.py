@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from .series import LineKey
 
 
-#: Pixels below which the axis of ticks has no word.
-LOW = 140
+#: Pixels below which the axis of ticks has no word, and those that it takes at least: no more than other tabs at its place,
+#: or the world would become lower as soon as there is something to plot.
+LOW, LEAST = 140, 40
 #: How a line looks in the legend.
 _STROKES = {
     Qt.PenStyle.SolidLine: "━━",
@@ -56,6 +57,7 @@ class LinesView(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._plot)
+        self.setMinimumHeight(LEAST)
         theme.changed.connect(self._dress)
         self._dress()
 

@@ -106,3 +106,10 @@ def test_a_low_plot_gives_the_room_of_words_to_the_lines(
     qtbot.waitUntil(lambda: not label.isVisible(), timeout=PATIENCE)
     window.studio.settings.theme = ThemeMode.DARK
     assert not label.isVisible()
+
+
+def test_once_there_is_something_to_plot_the_world_is_no_lower_than_before(
+    window: MainWindow, panel: PlotsPanel
+) -> None:
+    beside = window.docks["examples"].widget()
+    assert panel.minimumSizeHint().height() <= beside.minimumSizeHint().height()
