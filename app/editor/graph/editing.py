@@ -29,6 +29,7 @@ from ...core.errors import UnderstudyError
 from ...core.project import Position, Project
 from ...export.graph import Edge
 from . import clipboard
+from .arrangement import Point
 from .lacking import need
 from .level import Drawn
 from .scene import EdgeKey, GraphScene
@@ -70,6 +71,14 @@ class GraphEditing:
         return made
 
     # ---------------------------------------------------------------------------------------------- states
+
+    def move_state(self, path: Path, by: Point, gesture: str = "") -> None:
+        """Let a state stand elsewhere; the others of its automaton stay where they are from now on."""
+        level, state = self._scene.levels[path[:-1]], path[-1]
+        x, y = level.base[state]
+        places = {**level.base, state: (x + by[0], y + by[1])}
+        where = level.type, level.automaton.id
+        self._studio.document.attempt(move_states, *where, places, gesture=gesture and f"{gesture} {path}")
 
     def add_state(self, level: Drawn, content: Content, at: Position | None = None) -> Path | None:
         """Add a state, where it was dropped or where there is room; returns where it is."""

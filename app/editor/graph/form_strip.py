@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from ...export.graph import Edge, WayKind, way_words
 from .rule_form import Place, RuleBlock, RuleForm
+from .scene import GraphScene
 from .scoping import Scoping
 from .state_form import StateForm
 
@@ -79,6 +80,17 @@ class FormStrip(QFrame):
         head.addWidget(self._title, 1)
         head.addWidget(close)
         return head
+
+    def show_selected(self, scene: GraphScene) -> bool:
+        """Show the form of what is selected; whether anything is."""
+        edge, path = scene.edge, scene.current
+        if edge is not None:
+            level = scene.levels[edge[0]]
+            self.show_edge((level.type, level.automaton.id, *edge[1:]), level.edges.get(edge[1:]))
+        elif path is not None:
+            key, state = scene.key_of(path)
+            self.show_state((key.type, key.id, state))
+        return edge is not None or path is not None
 
     def show_edge(self, place: Place, edge: Edge | None) -> None:
         """Show the rules between two states, and what was learned."""

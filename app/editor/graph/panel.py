@@ -9,7 +9,6 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from ...core.automaton import Content
-from ...core.edits import move_states
 from ...core.project import Position
 from ..selection import BehaviorKey
 from ..soon import Later, Soon
@@ -274,12 +273,7 @@ class GraphPanel(QWidget):
     def move_state(self, path: Path, by: Point, gesture: str = "") -> None:
         """Let a state stand elsewhere; the others of its automaton stay where they are from now on."""
         self.view.is_fitted = False  # what was moved stays under the pointer
-        level = self.scene.levels[path[:-1]]
-        x, y = level.base[path[-1]]
-        places = {**level.base, path[-1]: (x + by[0], y + by[1])}
-        self.studio.document.attempt(
-            move_states, level.type, level.automaton.id, places, gesture=gesture and f"{gesture} {path}"
-        )
+        self.editing.move_state(path, by, gesture)
 
     # ----------------------------------------------------------------------------------------------- editing
 
@@ -341,16 +335,7 @@ class GraphPanel(QWidget):
             self.view.setFocus(reason)
 
     def _show_form(self) -> None:
-        if not self.form.isVisibleTo(self):
-            return
-        edge, path = self.scene.edge, self.scene.current
-        if edge is not None:
-            level = self.scene.levels[edge[0]]
-            self.form.show_edge((level.type, level.automaton.id, *edge[1:]), level.edges.get(edge[1:]))
-        elif path is not None:
-            key, state = self.scene.key_of(path)
-            self.form.show_state((key.type, key.id, state))
-        else:
+        if self.form.isVisibleTo(self) and not self.form.show_selected(self.scene):
             self.close_form()
 
     def begin_link(self) -> None:
