@@ -45,14 +45,13 @@ class GraphScene(QGraphicsScene):
         self.levels: dict[Path, Drawn] = {}
         self.selected: tuple[Path, ...] = ()
         self.edge: EdgeKey | None = None
-        self._crowds: dict[tuple[str, str], Crowd] = {}
 
     # -------------------------------------------------------------------------------------------- building
 
     def build(self, drawn: Drawn | None) -> None:
         """Show this; what was selected stays so, as far as it is still there."""
         self.clear()
-        self.states, self.edges, self.levels, self._crowds = {}, {}, {}, {}
+        self.states, self.edges, self.levels = {}, {}, {}
         if drawn is not None:
             self._add_level(drawn, None)
         self.mark([path for path in self.selected if path in self.states], self.edge)
