@@ -11,9 +11,6 @@ from ..core.storage.text import written
 from ..core.vocabulary import Vocabulary
 from .bundle import refitted_from, without_moments
 
-#: A type's name and an automaton's name.
-Called = tuple[str, str]
-
 
 class Likeness:
     """Compares the behaviors of a file with those of a project.
