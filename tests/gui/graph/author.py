@@ -18,7 +18,7 @@ from app.editor.selection import BehaviorKey
 from tests.gui.conftest import PATIENCE, said
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
-COPY, NO_BUTTON = Qt.DropAction.CopyAction, Qt.MouseButton.NoButton
+COPY = Qt.DropAction.CopyAction
 NO_KEY, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 MIDDLE = QPointF(0, 0)
 

@@ -8,8 +8,6 @@ import pytest
 from app.cli import main
 from tests.unit.cli.foraging import ARMS, stored, taught
 
-SCENARIO = Path(__file__).parents[2] / "bare_scenario.py"
-
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
