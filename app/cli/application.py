@@ -9,7 +9,10 @@ from pathlib import Path
 import typer
 
 from ..core.errors import ParameterError, UnderstudyError
-from .console import PROGRAM, OutputError, say, writing
+from ..core.storage.problems import reason
+from ..core.wholes import may_be_cut_off
+from ..engine.interrupts import ended_by_a_second
+from .console import PROGRAM, OutputError, say, say_at_last, writing
 from .exits import FELL_SHORT, INTERRUPTED, WRONG_INPUT
 from .verbs import NAMES, STUDIO, verbs
 from .wording import unknown
@@ -30,15 +33,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # a name that the encoding lacks is no failure
     try:
-        code = _obey(given)
-        with writing():
-            sys.stdout.flush()
+        with ended_by_a_second(_end_at_once, last=arguments is None):
+            code = _obey(given)
+            with writing():
+                sys.stdout.flush()
     except BrokenPipeError:
         code = _muted()
     except OutputError as error:
         say(str(error))
         code = _muted()
     return code
+
+
+def _end_at_once() -> None:
+    """End without waiting for anything but what has to be done as a whole, which takes no time."""
+    if may_be_cut_off():
+        say_at_last("interrupted")
+        os._exit(INTERRUPTED)
 
 
 def _obey(given: list[str]) -> int:
@@ -58,6 +69,9 @@ def _obey(given: list[str]) -> int:
     except (BrokenPipeError, OutputError):
         raise
     except Exception as error:  # noqa: BLE001 - the last place where it can become a message
+        if isinstance(error, OSError) and (named := _named(error, given)):
+            say(named)
+            return WRONG_INPUT
         from .crash import report
 
         report(error, given, show=debug)
@@ -80,6 +94,17 @@ def with_verb(given: Sequence[str], names: Collection[str]) -> list[str]:
         return [STUDIO, *given]
     there_is = unknown("verb", first, [name for name in names if name != STUDIO])
     raise ParameterError(f"there is no folder {first!r}, and {there_is}")
+
+
+def _named(error: OSError, given: Collection[str]) -> str:
+    """What the system has against a place that the user named, or one on the way there; empty where it is about another."""
+    if not isinstance(error.filename, str):
+        return ""
+    place = Path(error.filename)
+    words = [Path(word.rpartition("=")[2]) for word in given]
+    if not any(place in (word, word.absolute(), *word.parents, *word.absolute().parents) for word in words):
+        return ""
+    return f"{error.filename}: {reason(error)}"
 
 
 def _usage(error: typer.TyperException) -> str:

@@ -4,6 +4,7 @@ With ``--json``, stdout gets one document and nothing else.
 """
 
 import json
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -84,6 +85,14 @@ def progress(title: str, total: float) -> Iterator[Advance]:
             yield advance
     else:
         yield _lines(title, total)
+
+
+def say_at_last(message: str) -> None:
+    """A line to the user before the program ends at once, though another line or a bar may be in the middle of being drawn."""
+    cleared = (
+        "\r\x1b[2K\x1b[?25h" if sys.stderr.isatty() else ""
+    )  # the line, and the cursor, which a bar hides
+    os.write(sys.stderr.fileno(), f"{cleared}{PROGRAM}: {message}\n".encode())
 
 
 @contextmanager

@@ -3,17 +3,16 @@
 Compiled worlds run on threads. Uncompiled ones hold Python's lock, so each gets a process of its own.
 """
 
-import os
 import signal
-import threading
 import time
 from collections.abc import Callable, MutableSequence, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from functools import partial
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context
 
+from ..engine.children import clear_up_in_silence, end_with_parent
 from ..engine.compiling import compile_ahead
 from ..engine.cores import cores
 from ..engine.interrupts import Interrupts, deaf_processes, noted_interrupts
@@ -21,7 +20,6 @@ from ..engine.runs import RunResult, Treatment, start_engine
 from ..sim.engines import REFERENCE
 from ..sim.reference import ReferenceEngine
 from .console import Advance, say
-from .exits import FELL_SHORT
 from .plans import Bench, Plan, Workshop
 
 #: Seconds between looks at how far the runs are.
@@ -115,6 +113,7 @@ def _in_threads(shop: Workshop, plans: Sequence[Plan], count: int, advance: Adva
 
 
 def _in_processes(bench: Bench, plans: Sequence[Plan], count: int, advance: Advance) -> Made:
+    clear_up_in_silence()
     context = get_context("spawn")
     board: Board = context.Array("q", len(plans) + 1, lock=False)
     pool = ProcessPoolExecutor(count, context, _begin, (bench, board))
@@ -178,16 +177,8 @@ def _begin(bench: Bench, board: Board) -> None:
     """Runs first in a worker process. Ctrl-C reaches it, too, but only its parent decides what that means."""
     global _work  # noqa: PLW0603 - an executor offers its workers no other place
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    end_with_parent()
     _work = Workshop(bench), board
-
-
-def _end_with_parent() -> None:
-    """An executor's worker outlives a parent that was killed; ours does not."""
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-    os._exit(FELL_SHORT)
 
 
 def _made_in_worker(index: int, plan: Plan) -> RunResult:

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -200,6 +200,24 @@ def test_ctrl_c_ends_the_program_and_all_its_processes(
     assert started.returncode == 130
     assert b"understudy: interrupted" in said
     assert b"Traceback" not in said
+
+
+@pytest.mark.parametrize("engine", ["compiled", "reference"])
+def test_ctrl_c_pressed_again_and_again_ends_all_of_it_without_a_word_too_many(
+    engine: str, boxes: Path
+) -> None:
+    with running(boxes, engine) as (started, terminal):
+        said = read_until(terminal, UNDER_WAY)
+        while started.returncode is None:
+            with suppress(subprocess.TimeoutExpired, ProcessLookupError):
+                os.killpg(started.pid, signal.SIGINT)
+                started.wait(timeout=0.02)
+        said += read_until(terminal)
+    assert started.returncode == 130
+    assert b"Traceback" not in said
+    assert b"Warning" not in said
+    assert said.endswith(b"interrupted\r\n")
+    assert said.rindex(b"\x1b[?25h") > said.rindex(b"\x1b[?25l"), "the cursor is back"
 
 
 def test_ctrl_c_while_a_kernel_is_compiled_leaves_nothing_of_it(boxes: Path, tmp_path: Path) -> None:

@@ -13,6 +13,8 @@ import shutil
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
+from ..wholes import as_a_whole
+
 #: A file while it is written, and an old one until all are renamed.
 NEW, OLD = "new", "old"
 UNFINISHED = re.compile(r"\..+\.\d+\.(new|old)~")
@@ -61,14 +63,15 @@ def change_files(contents: Mapping[Path, bytes], gone: Iterable[Path]) -> None:
         WriteError: Something could not be done; the files are as they were.
     """
     change = _Change(contents, gone)
-    try:
-        change.prepare()
-        change.commit()
-    except BaseException:
-        change.take_back()
-        raise
-    finally:
-        change.clear()
+    with as_a_whole():
+        try:
+            change.prepare()
+            change.commit()
+        except BaseException:
+            change.take_back()
+            raise
+        finally:
+            change.clear()
 
 
 class _Change:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from ...core.errors import UnderstudyError
 from ...core.storage.atomic import WriteError, change_files
+from ...engine.children import clear_up_in_silence, end_with_parent
 from ...engine.interrupts import deaf_processes, noted_interrupts
 from .curves import Chart
 
@@ -122,9 +123,10 @@ def draw(figure: Figure | Chart, path: Path, *, dark: bool = False) -> None:
 
 def _painted(figure: Figure | Chart, ending: str, *, dark: bool) -> bytes:
     """The content of the file, made in a process of its own: Qt ends the process that it cannot start in."""
+    clear_up_in_silence()
     with (
         noted_interrupts() as interrupts,
-        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as process,
+        ProcessPoolExecutor(1, get_context("spawn"), end_with_parent) as process,
     ):
         try:
             with deaf_processes():

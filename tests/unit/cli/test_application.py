@@ -1,16 +1,20 @@
 """From what is typed to an exit code and a message."""
 
+import os
+import signal
 import sys
 import tomllib
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
-from app.cli import main
+from app.cli import application, main
 from app.cli.application import with_verb
 from app.cli.places import CLONE
 from app.cli.verbs import NAMES, STUDIO
 from app.core.errors import ParameterError
+from app.core.wholes import as_a_whole
 from tests.unit.cli.foraging import stored
 
 VERBS = ("run", "train", "studio")
@@ -168,3 +172,23 @@ def test_a_name_that_the_terminal_cannot_show_is_no_failure(
     sys.stdout.reconfigure(encoding="ascii")  # type: ignore[union-attr]
     assert main(["check", str(folder)]) == 0
     assert "\\U0001f41e" in capsys.readouterr().out
+
+
+def test_a_second_ctrl_c_ends_at_once_but_not_in_the_middle_of_changing_files(
+    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    codes: list[int] = []
+
+    def stubborn(_given: list[str]) -> int:
+        for _ in range(2):
+            with suppress(KeyboardInterrupt), as_a_whole():
+                signal.raise_signal(signal.SIGINT)
+        assert codes == []
+        signal.raise_signal(signal.SIGINT)
+        return 0
+
+    monkeypatch.setattr(os, "_exit", codes.append)
+    monkeypatch.setattr(application, "_obey", stubborn)
+    application.main(["check"])
+    assert codes == [130]
+    assert capfd.readouterr().err == "understudy: interrupted\n"
