@@ -1,6 +1,5 @@
 """Experiments in the background: progress, pause, cancel, failures, and going on where one ended."""
 
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -11,14 +10,14 @@ from app.core.storage import FilesError
 from app.engine.experiments.data import curves_csv, runs_csv
 from app.engine.experiments.findings import findings
 from app.engine.experiments.keeping import delete_experiment, document_of, save_experiment
-from app.engine.experiments.laboratory import Laboratory, Look, Stage
+from app.engine.experiments.laboratory import Laboratory, Stage
 from app.engine.experiments.load import experiments_in, load_experiment
 from app.engine.experiments.plan import Claim, Experiment, Kind, Panel, Reference, Treated
 from app.engine.experiments.store import Row
 from app.sim.scenarios.foraging import scenario
+from tests.unit.engine.experiments.laboratories import until
 from tests.unit.engine.experiments.small import boxes, experiment, factor, numbers, opened
 
-PATIENCE = 60.0
 FORAGING = Path(__file__).parents[4] / "projects" / "foraging"
 
 
@@ -33,15 +32,6 @@ def begin(tmp_path: Path) -> Iterator[Callable[..., Laboratory]]:
     yield make
     for laboratory in begun:
         laboratory.close()
-
-
-def until(laboratory: Laboratory, ready: Callable[[Look], bool]) -> Look:
-    """The first look that is ready; the laboratory has no signal, since whoever draws polls."""
-    end = time.monotonic() + PATIENCE
-    while not ready(laboratory.newest):
-        assert time.monotonic() < end, laboratory.newest
-        laboratory._thread.join(0.01)
-    return laboratory.newest
 
 
 def test_it_ends_with_what_the_command_line_would_find(

@@ -1,7 +1,6 @@
 """Experiments in a process of their own: the same results, whatever happens to either side."""
 
 import sys
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -19,9 +18,9 @@ from app.engine.experiments.plan import Experiment, Treated
 from app.engine.experiments.process import LaboratoryProcess
 from app.engine.scenarios import OWN_CODE, open_scenario
 from app.sim.scenarios.foraging import scenario
+from tests.unit.engine.experiments.laboratories import PATIENCE, until
 from tests.unit.engine.experiments.small import boxes, experiment, numbers, opened
 
-PATIENCE = 120.0
 FORAGING = Path(__file__).parents[4] / "projects" / "foraging"
 #: More runs than anything here waits for.
 MANY = 100_000
@@ -41,15 +40,6 @@ def begin(tmp_path: Path) -> Iterator[Begin]:
     yield make
     for laboratory in begun:
         laboratory.close()
-
-
-def until(laboratory: LaboratoryProcess, ready: Callable[[Look], bool]) -> Look:
-    """The first look that is ready."""
-    end = time.monotonic() + PATIENCE
-    while not ready(laboratory.newest):
-        assert time.monotonic() < end, laboratory.newest
-        laboratory._thread.join(0.01)
-    return laboratory.newest
 
 
 def stage(laboratory: LaboratoryProcess) -> Stage:
