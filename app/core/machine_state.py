@@ -14,10 +14,12 @@ MachineState = Mapping[str, Any]
 
 def freeze(machine: Machine) -> MachineState:
     """A copy of what all nodes do, and of the tick that comes next."""
-    return {
-        "now": machine.now,
-        "nodes": {node_id: _frozen(actor) for node_id, actor in machine.actors.items()},
-    }
+    return freeze_actors(machine.now, machine.actors)
+
+
+def freeze_actors(now: int, actors: Mapping[str, Actor]) -> MachineState:
+    """The same of nodes that are in no machine."""
+    return {"now": now, "nodes": {node_id: _frozen(actor) for node_id, actor in actors.items()}}
 
 
 def thaw(machine: Machine, state: MachineState) -> None:

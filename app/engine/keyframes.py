@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..core.errors import SessionError
-from ..core.machine_state import MachineState, freeze
+from ..core.machine_state import MachineState
 from ..sim.engine import Columns, Engine
 
 #: A moment is kept every so many ticks, for each so many nodes: keeping one takes time.
@@ -48,7 +48,7 @@ def keep(engine: Engine) -> Keyframe:
     Raises:
         ScenarioError: The scenario has put something into a column that does not belong there.
     """
-    return Keyframe(engine.tick, engine.columns(), freeze(engine.shown))
+    return Keyframe(engine.tick, engine.columns(), engine.frozen_nodes())
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from ..core.actor import Actor
 from ..core.hierarchy import Hierarchy
 from ..core.library import Types
 from ..core.machine import Arguments, Machine, Senses
+from ..core.machine_state import MachineState
 from ..core.project import Value
 from .doing import Doing
 from .scenario import Scenario
@@ -136,6 +137,9 @@ class Engine(Protocol):
         Raises:
             ScenarioError: The scenario has put something into a column that does not belong there.
         """
+
+    def frozen_nodes(self) -> MachineState:
+        """A copy of what all nodes do now; it may be worked out later, since of many that are kept few are looked at."""
 
     def doing(self) -> Doing:
         """What all nodes do now, as arrays."""

@@ -9,6 +9,8 @@ import numpy as np
 
 from ..core.errors import ScenarioError
 from ..core.machine import Action, Classifiers, Leaving, Machine, Senses, stored_classifiers
+from ..core.machine_state import MachineState
+from ..core.machine_state import freeze as freeze_machine
 from ..core.machine_state import thaw as thaw_machine
 from .doing import Doing, Roster
 from .engine import FREE, Columns, Control, Departed, Start
@@ -102,6 +104,10 @@ class ReferenceEngine:
     def frozen_world(self) -> FrozenWorld:
         """A copy of the world."""
         return freeze(self.world, self._scenario)
+
+    def frozen_nodes(self) -> MachineState:
+        """A copy of what all nodes do now."""
+        return freeze_machine(self.machine)
 
     def columns(self) -> Columns:
         """The same as arrays."""

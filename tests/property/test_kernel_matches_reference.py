@@ -64,6 +64,20 @@ def test_a_run_that_is_gone_back_to_goes_on_as_before(seed: int, ticks: int) -> 
 
 
 @settings(max_examples=EXAMPLES // 3)
+@given(SEEDS, st.integers(0, 30))
+def test_what_was_kept_of_nodes_says_later_what_they_did_then(seed: int, ticks: int) -> None:
+    found, wanted = pair(seed)
+    found.step(ticks)
+    wanted.step(ticks)
+    world, kept, right = found.columns(), found.frozen_nodes(), wanted.frozen_nodes()
+    compare(found, wanted, 10)
+    assert dict(kept) == right
+    compare(found, wanted, 5)  # looking has changed nothing
+    found.restore({name: column.tolist() for name, column in world.items()}, kept)
+    assert freeze(found.machine) == right
+
+
+@settings(max_examples=EXAMPLES // 3)
 @given(SEEDS, st.integers(0, 20))
 def test_a_run_that_moves_to_the_compiled_engine_goes_on_as_if_it_had_not(seed: int, ticks: int) -> None:
     start = random_start(seed)

@@ -12,6 +12,7 @@ import numpy as np
 from ...core.errors import ProgramError
 from ...core.library import Types
 from ...core.machine import Classifiers, Leaving, Machine, Senses, stored_classifiers
+from ...core.machine_state import MachineState
 from ..doing import Doing
 from ..engine import FREE, Columns, Control, Departed, Start
 from ..program import Needs, Program, lower, needs_of
@@ -23,7 +24,7 @@ from ..world import TICK, FrozenWorld
 from .build import Notice
 from .flat import FlatCopy, FlatWorld
 from .past import Lookout
-from .state import put_back, put_back_some, runs_of
+from .state import FrozenRuns, put_back, put_back_some, runs_of
 from .viewing import Viewer
 
 #: The most ticks of nodes that pass in one call, about a tenth of a second: then Python hears an interrupt.
@@ -190,6 +191,13 @@ class KernelEngine:
             self._copy()
             return self._reference.frozen_world()
         return {name: tuple(self._flat.numbers(name)) for name in self._flat.world}
+
+    def frozen_nodes(self) -> MachineState:
+        """A copy of what all nodes do now: of columns, which take a while to be put into words, when it is looked at."""
+        if not self._in_columns:
+            return self._reference.frozen_nodes()
+        assert self._lowered is not None
+        return FrozenRuns(self._flat.runs, self._lowered.program, self._reference.machine.actors, self.tick)
 
     def columns(self) -> Columns:
         """The same as arrays, much faster."""

@@ -1,11 +1,14 @@
 """What the nodes do as flat columns, and the way to and from `app.core.actor.Actor`."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import Any
 
 from ...core.actor import Actor, Argument, Arguments, Run
 from ...core.automaton import START, Automaton
 from ...core.errors import ProgramError
 from ...core.machine import Machine
+from ...core.machine_state import MachineState, freeze_actors
 from ...core.vocabulary import BasicBehavior
 from ..program.tables import KEY_HEAD, LEARNED, NO_KEY, NO_LEAF, Column, Program, Sizes
 from .calls import MACHINE_KEY
@@ -218,6 +221,39 @@ def put_back_some(
     machine.now = now
     for node_id, row in rows.items():
         reader.node(row, machine.actors[node_id])
+
+
+class FrozenRuns(Mapping[str, Any]):
+    """What the columns say that all nodes do, as `freeze` says it: copied at once, put into words when it is first looked at."""
+
+    def __init__(
+        self, columns: Mapping[str, Column], program: Program, actors: Mapping[str, Actor], now: int
+    ) -> None:
+        self._columns = {name: columns[name].copy() for name in _SAVED}
+        self._program = program
+        self._actors = actors  # who there is, whatever they do by then
+        self._now = now
+
+    def __getitem__(self, name: str) -> Any:
+        return self._state[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._state)
+
+    def __len__(self) -> int:
+        return len(self._state)
+
+    @cached_property
+    def _state(self) -> MachineState:
+        reader = _Reader({name: column.tolist() for name, column in self._columns.items()}, self._program)
+        actors = {
+            node_id: Actor(actor.node, actor.number, actor.members, actor.parent)
+            for node_id, actor in self._actors.items()
+        }
+        for node, actor in enumerate(actors.values()):
+            reader.node(node, actor)
+        self._columns.clear()
+        return freeze_actors(self._now, actors)
 
 
 class _Reader:
