@@ -18,6 +18,7 @@ from app.core.storage import load, moment_hash, save
 from app.core.storage.moments import decoded, encoded
 from app.core.storage.text import TextError, parsed, written
 from tests.strategies import finite, moments, projects, words
+from tests.unit.core.storage.folders import contents
 
 any_project = projects() | projects(checked=False)
 #: A project takes a tenth of a second to draw.
@@ -41,12 +42,6 @@ def new_folder() -> Iterator[Path]:
         yield Path(base) / "project"
 
 
-def files(folder: Path) -> dict[str, bytes]:
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
-    }
-
-
 @few
 @given(any_project)
 def test_a_loaded_project_is_the_one_that_was_saved_and_is_saved_to_the_same_bytes(project: Project) -> None:
@@ -56,7 +51,7 @@ def test_a_loaded_project_is_the_one_that_was_saved_and_is_saved_to_the_same_byt
         assert loaded == project
         other = folder.with_name("other")
         save(loaded, other)
-        assert files(other) == files(folder)
+        assert contents(other) == contents(folder)
 
 
 @settings(few, max_examples=15)
@@ -70,7 +65,7 @@ def test_a_folder_holds_what_was_saved_last_and_nothing_else(
         assert load(folder) == second
         fresh = folder.with_name("fresh")
         save(second, fresh)
-        assert files(folder) == files(fresh)
+        assert contents(folder) == contents(fresh)
 
 
 @given(moments)

@@ -25,7 +25,7 @@ from ...core.remembered import Remembered
 from ...engine.commands import Reset
 from ...engine.snapshots import Doing
 from ..forms.nothing import NothingFound
-from ..forms.parts import Complaint
+from ..forms.parts import Complaint, caption
 from ..soon import Later, Soon
 from .delegate import NodeDelegate
 from .forest_hand import ForestHand, forest_of
@@ -99,9 +99,7 @@ class AgentsPanel(QWidget):
         self.empty.setProperty("role", "empty")
         self.empty.setWordWrap(True)
         self.empty.setContentsMargins(10, 4, 10, 8)
-        words = QLabel(HELD)
-        words.setProperty("role", "caption")
-        words.setWordWrap(True)
+        words = caption(HELD)
         self.reset.setToolTip("Begin the world again, with the arm as it is now (Ctrl+R)")
         bar = QHBoxLayout(self.held)
         bar.setContentsMargins(10, 6, 8, 6)

@@ -6,14 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from ...core.automaton import Automaton, Rule
 from ...core.conditions import Condition, Equals, Guard
@@ -22,6 +15,7 @@ from ...core.errors import UnderstudyError
 from ...core.features import FeatureUse, Source
 from ...core.vocabulary import Vocabulary
 from ...core.wording import condition_words, feature_of, state_words
+from ..forms.parts import caption
 from ..forms.tab_order import tab_through
 from . import offers
 from .condition_row import ConditionRow
@@ -54,9 +48,7 @@ class RuleForm(QWidget):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(10, 4, 10, 8)
         self._column.setSpacing(6)
-        self._learned = QLabel()
-        self._learned.setProperty("role", "caption")
-        self._learned.setWordWrap(True)
+        self._learned = caption("")
         self.more = QPushButton("Add a rule")
         self.more.setToolTip("Add another rule from and to the same states, tried after the others")
         self.more.clicked.connect(self._add)

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QLabel,
     QSpinBox,
     QTabWidget,
     QVBoxLayout,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..actions import ActionRow
+from ..forms.parts import caption
 from ..number_box import roomy
 from ..room import resize_within
 from ..size import size_in_force, sizes_that_fit
@@ -97,7 +97,7 @@ class Preferences(QDialog):
         form.addRow("Size", self.size_of_all)
         form.addRow(
             "",
-            _note(
+            caption(
                 "Of text and controls; from the next start on. What the screen has no room for is not offered."
             ),
         )
@@ -110,14 +110,14 @@ class Preferences(QDialog):
         form.addRow("Autosave every", self.autosave)
         form.addRow(
             "",
-            _note(
+            caption(
                 "What was kept is offered after a crash; the project's own files are only written when you save."
             ),
         )
         self.learns.setToolTip("Learn in the background from every change of an example")
         form.addRow("Learning", self.learns)
         form.addRow(
-            "", _note("Otherwise behaviors are learned when they are tested, or when you ask for it.")
+            "", caption("Otherwise behaviors are learned when they are tested, or when you ask for it.")
         )
         return page
 
@@ -188,10 +188,3 @@ def preference_rows(window: QWidget) -> tuple[ActionRow, ...]:
             "cog-outline",
         ),
     )
-
-
-def _note(text: str) -> QLabel:
-    label = QLabel(text)
-    label.setProperty("role", "caption")
-    label.setWordWrap(True)
-    return label

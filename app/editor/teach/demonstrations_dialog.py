@@ -14,6 +14,7 @@ from ...core.project import Demonstration, Project
 from ..actions import ActionRow, when_open
 from ..forms.buttons import closing
 from ..forms.ordered_list import Item, OrderedList
+from ..forms.parts import caption
 from ..room import resize_within
 from .replay_check import ReplayCheck
 
@@ -87,11 +88,9 @@ class DemonstrationsDialog(QDialog):
         self.note.setAccessibleName("Note on the demonstration")
         self.note.setToolTip("What it shows")
         self.note.editingFinished.connect(self._noted)
-        words = QLabel(
+        words = caption(
             "They are played from top to bottom by “understudy demonstrate”. Examples stay when one is removed."
         )
-        words.setProperty("role", "caption")
-        words.setWordWrap(True)
         self.check = ReplayCheck(studio)
         form = QFormLayout()
         form.addRow(self.facts)

@@ -6,6 +6,8 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
 
+from ..forms.parts import caption
+
 #: The slider counts percent; 0 is off.
 MOST = 50
 CANNOT = "Only decision trees can be pruned, and this behavior learns otherwise."
@@ -36,9 +38,7 @@ class ConfidencePage(QWidget):
         self.slider.setToolTip("How strongly trees are pruned after learning; 0 keeps them whole")
         self._value = QLabel()
         self._value.setMinimumWidth(36)
-        self._told = QLabel()
-        self._told.setProperty("role", "caption")
-        self._told.setWordWrap(True)
+        self._told = caption("")
         row = QHBoxLayout()
         row.addWidget(QLabel("Pruning confidence"))
         row.addWidget(self.slider, 1)

@@ -10,12 +10,12 @@ from pytestqt.qtbot import QtBot
 from app.core.automaton import Automaton, Basic, Nested, Sampling
 from app.core.edits import delete_automaton
 from app.core.features import Ground, Operation, Over, Statistic
-from app.editor.forms.choosing import Chooser
 from app.editor.library.panel import LibraryPanel
 from app.editor.library.settings_dialog import BehaviorDialog, behavior_settings
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from tests.gui.conftest import PATIENCE
+from tests.gui.library.hand import choose
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -44,13 +44,6 @@ def goto(studio: Studio) -> Automaton:
     automaton = studio.document.automaton("agent", "goto")
     assert automaton is not None
     return automaton
-
-
-def choose(chooser: Chooser, qtbot: QtBot, text: str) -> None:
-    chooser.field.setFocus()
-    chooser.field.selectAll()
-    qtbot.keyClicks(chooser.field, text)
-    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
 
 
 def test_a_name_is_changed_by_enter(dialog: BehaviorDialog, studio: Studio, qtbot: QtBot) -> None:

@@ -10,12 +10,12 @@ from pytestqt.qtbot import QtBot
 from app.core.automaton import Basic, Nested, RaiseFlag, State
 from app.core.edits import note_project
 from app.core.features import Ground, Parameter, Sense
-from app.editor.forms.choosing import Chooser
 from app.editor.library.new_automaton import NewAutomatonDialog
 from app.editor.library.panel import LibraryPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from tests.gui.conftest import PATIENCE
+from tests.gui.library.hand import choose
 
 
 @pytest.fixture
@@ -33,13 +33,6 @@ def dialog(studio: Studio, qtbot: QtBot) -> Iterator[NewAutomatonDialog]:
 def name_it(dialog: NewAutomatonDialog, qtbot: QtBot, name: str) -> None:
     dialog.general.name.selectAll()
     qtbot.keyClicks(dialog.general.name, name)
-
-
-def choose(chooser: Chooser, qtbot: QtBot, text: str) -> None:
-    chooser.field.setFocus()
-    chooser.field.selectAll()
-    qtbot.keyClicks(chooser.field, text)
-    qtbot.keyClick(chooser.field, Qt.Key.Key_Return)
 
 
 def choose_type(dialog: NewAutomatonDialog, qtbot: QtBot, place: int) -> None:

@@ -21,19 +21,13 @@ from app.core.features import (
 from app.core.library import Library
 from app.core.project import Project
 from tests.samples import AGENT, GROUP, SQUAD, automaton, flag, nested, project, state, vocabulary
+from tests.unit.core.problems import only
 
 
 def with_automata(*automata: Automaton, type_name: str = AGENT) -> Project:
     """The sample with these automata added, or in the place of those with the same ids."""
     library = {**project().library(type_name).automata, **{a.id: a for a in automata}}
     return replace(project(), libraries={**project().libraries, type_name: Library(library)})
-
-
-def only(changed: Project, severity: str = "error") -> Problem:
-    """The one problem of this severity."""
-    found = [problem for problem in check(changed, vocabulary()) if problem.severity == severity]
-    assert len(found) == 1, [str(problem) for problem in found]
-    return found[0]
 
 
 def messages(changed: Project, severity: str = "error") -> list[str]:

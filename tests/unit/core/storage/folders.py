@@ -18,6 +18,13 @@ def files(folder: Path) -> dict[str, bytes]:
     }
 
 
+def contents(folder: Path) -> dict[str, bytes]:
+    """The same without folders."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+    }
+
+
 def changed(project: Project, automaton: Automaton) -> Project:
     automata = {**project.library(AGENT).automata, automaton.id: automaton}
     return replace(project, libraries={**project.libraries, AGENT: Library(automata)})

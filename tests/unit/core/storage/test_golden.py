@@ -8,14 +8,9 @@ import pytest
 
 from app.core.storage import SCHEMA_VERSION, load, save
 from tests.unit.core.storage import every_kind
+from tests.unit.core.storage.folders import contents
 
 GOLDEN = Path(__file__).parents[3] / "golden"
-
-
-def files(folder: Path) -> dict[str, bytes]:
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
-    }
 
 
 def test_every_version_has_a_golden_project() -> None:
@@ -34,9 +29,9 @@ def test_a_golden_project_loads_as_what_it_was(folder: Path) -> None:
 def test_the_newest_golden_project_is_saved_byte_for_byte(tmp_path: Path) -> None:
     newest = GOLDEN / f"project-v{SCHEMA_VERSION}"
     save(load(newest), tmp_path / "loaded")
-    assert files(tmp_path / "loaded") == files(newest)
+    assert contents(tmp_path / "loaded") == contents(newest)
     save(every_kind.project(), tmp_path / "made")
-    assert files(tmp_path / "made") == files(newest)
+    assert contents(tmp_path / "made") == contents(newest)
 
 
 def test_an_upgrade_leaves_nothing_of_the_old_form(tmp_path: Path) -> None:
@@ -46,4 +41,4 @@ def test_an_upgrade_leaves_nothing_of_the_old_form(tmp_path: Path) -> None:
         shutil.copytree(folder, copy)
         before = load(copy)
         save(before, copy, before)
-        assert files(copy) == files(GOLDEN / f"project-v{SCHEMA_VERSION}")
+        assert contents(copy) == contents(GOLDEN / f"project-v{SCHEMA_VERSION}")
