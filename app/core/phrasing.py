@@ -185,7 +185,7 @@ def filled(phrase: str, slots: Mapping[str, str]) -> str:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """A number with three significant digits, without an exponent as far as it can be read so: 12345, 12.3, 0.0123."""
+    """A number with three significant digits, without an exponent as far as it can be read so: 12,345, 12.3, 0.0123."""
     if not isfinite(value):
         return str(value)
     rounded = float(f"{value:.{digits}g}") + 0.0  # no minus zero
@@ -193,7 +193,7 @@ def number(value: float, digits: int = 3) -> str:
         rounded = round(value)
     if rounded != 0.0 and not 1e-4 <= abs(rounded) < 1e9:
         return f"{value:.{digits}g}"
-    return f"{rounded:.10f}".rstrip("0").rstrip(".")
+    return f"{rounded:,.10f}".rstrip("0").rstrip(".")
 
 
 def apart(low: float, high: float) -> tuple[str, str]:
