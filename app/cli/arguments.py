@@ -15,19 +15,25 @@ def examples(*lines: str) -> str:
 #: The longest run, and the most runs, that can be asked for: more than anybody waits for.
 MOST_TICKS = 1_000_000_000
 MOST_RUNS = 1_000_000
+#: What stands for a whole number in the help.
+WHOLE = "N"
 
 
-def between(least: int, most: int | None = None) -> Callable[[int | None], int | None]:
-    """A check of a whole number, if there is one, that says what is allowed and what was found."""
+def whole(least: int, most: int | None = None) -> Callable[[str], int]:
+    """Reads a whole number, and says what is allowed and what was found."""
 
-    def checked(value: int | None) -> int | None:
-        if value is not None and value < least:
+    def parsed(typed: str) -> int:
+        try:
+            value = int(typed)
+        except ValueError:
+            raise typer.BadParameter(f"it must be a whole number, but it is {typed!r}") from None
+        if value < least:
             raise typer.BadParameter(f"it must be {least} or more, but it is {value}")
-        if value is not None and most is not None and value > most:
+        if most is not None and value > most:
             raise typer.BadParameter(f"it must be {most} or less, but it is {value}")
         return value
 
-    return checked
+    return parsed
 
 
 ProjectFolder = Annotated[Path, typer.Argument(metavar="PROJECT", help="The project's folder.")]
@@ -46,12 +52,16 @@ Picture = Annotated[
 ]
 Dark = Annotated[bool, typer.Option("--dark", help="Draw it on a dark ground.")]
 Seed = Annotated[
-    int, typer.Option(callback=between(0), help="Settles chance; further runs take the seeds after it.")
+    int,
+    typer.Option(
+        parser=whole(0), metavar=WHOLE, help="Settles chance; further runs take the seeds after it."
+    ),
 ]
 Jobs = Annotated[
     int | None,
     typer.Option(
-        callback=between(1),
+        parser=whole(1),
+        metavar=WHOLE,
         help="Runs at a time.",
         show_default="one a core",
     ),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..core.check import refuse
 from ..core.errors import ParameterError
+from ..core.storage import readable
 from ..core.storage.atomic import WriteError, change_files
 from ..editor.drawing.experiment_chart import chart_of
 from ..editor.drawing.figures import FigureError, draw
@@ -170,7 +171,7 @@ def _command(request: Request, experiment: Experiment) -> str:
     options: dict[str, object] = {"--runs": request.runs, "--ticks": request.ticks, "--out": request.out}
     for option, value in options.items():
         words += [] if value is None else [option, str(value)]
-    return shlex.join(words)
+    return shlex.join(map(readable, words))
 
 
 def _show(found: Findings, files: Files) -> None:

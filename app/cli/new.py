@@ -5,7 +5,7 @@ from typing import Any
 
 from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Project
-from ..core.storage import save
+from ..core.storage import readable, save
 from ..engine.fresh import AGENTS, fresh_project, refuse_folder, save_with_code
 from ..engine.scenarios import scenario_at
 from ..sim.scenarios import names, shipped
@@ -26,7 +26,7 @@ def make_project(folder: Path, scenario_name: str, *, as_json: bool) -> int:
         there = unknown("scenario", scenario_name, names())
         raise ScenarioError(f"{there}; one of your own is a file: --scenario FILE.py")
     scenario = shipped(scenario_name) if code is None else scenario_at(code)
-    project = fresh_project(folder.resolve().name, scenario)
+    project = fresh_project(readable(folder.resolve().name), scenario)
     if code is None:
         save(project, folder)
     else:

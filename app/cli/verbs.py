@@ -9,6 +9,7 @@ from .. import __version__
 from .arguments import (
     MOST_RUNS,
     MOST_TICKS,
+    WHOLE,
     Behaviors,
     Dark,
     Jobs,
@@ -17,8 +18,8 @@ from .arguments import (
     ProjectFolder,
     Seed,
     Trust,
-    between,
     examples,
+    whole,
 )
 from .console import PROGRAM, show
 
@@ -72,7 +73,7 @@ def studio(
     picture: Picture = None,
     dark: Dark = False,
     ticks: Annotated[
-        int, typer.Option(callback=between(1, MOST_TICKS), help="How long each run takes.")
+        int, typer.Option(parser=whole(1, MOST_TICKS), metavar=WHOLE, help="How long each run takes.")
     ] = 20_000,
     seed: Seed = 1,
     trust: Trust = False,
@@ -173,15 +174,19 @@ def run(
     ticks: Annotated[
         int,
         typer.Option(
-            callback=between(1, MOST_TICKS), help="How long a run takes; 60 ticks are a second at 1x."
+            parser=whole(1, MOST_TICKS),
+            metavar=WHOLE,
+            help="How long a run takes; 60 ticks are a second at 1x.",
         ),
     ] = 10_000,
     seed: Seed = 1,
-    runs: Annotated[int, typer.Option(callback=between(1, MOST_RUNS), help="How many runs.")] = 1,
+    runs: Annotated[int, typer.Option(parser=whole(1, MOST_RUNS), metavar=WHOLE, help="How many runs.")] = 1,
     settings: Annotated[
         list[str] | None,
         typer.Option(
-            "--set", metavar="world.NAME=VALUE", help="Another value for a parameter of the scenario."
+            "--set",
+            metavar="NAME=VALUE",
+            help="Another value: world.boxes=20, or any parameter of the scenario; physics=rigid; engine=reference.",
         ),
     ] = None,
     jobs: Jobs = None,
@@ -278,7 +283,8 @@ def experiment(
     runs: Annotated[
         int | None,
         typer.Option(
-            callback=between(1),
+            parser=whole(1),
+            metavar=WHOLE,
             help="How many runs an arm.",
             show_default="the experiment's",
         ),
@@ -286,7 +292,8 @@ def experiment(
     ticks: Annotated[
         int | None,
         typer.Option(
-            callback=between(1, MOST_TICKS),
+            parser=whole(1, MOST_TICKS),
+            metavar=WHOLE,
             help="How long a run takes.",
             show_default="the experiment's",
         ),

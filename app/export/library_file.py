@@ -125,7 +125,8 @@ def _refuse_other(path: Path, document: object) -> None:
     """Refuse what is no export, or one of a version that is not known here."""
     found = document.get("format") if isinstance(document, Mapping) else None
     if not isinstance(document, Mapping) or found != FORMAT:
-        message = f'this is no export of Understudy: it should say "format": "{FORMAT}", but says {found!r}'
+        said = "does not" if found is None else f"says {found!r}"
+        message = f'this is no export of Understudy: it should say "format": "{FORMAT}", but {said}'
         raise FilesError(path, [Problem("", "", f"{message}; `understudy export PROJECT` makes one")])
     version = document.get("schema_version")
     if isinstance(version, int) and version > SCHEMA_VERSION:

@@ -12,7 +12,7 @@ the user reads), `fields` and the schemas (the form of each kind of file), the `
 from .loading import load
 from .migrations import SCHEMA_VERSION
 from .moments import moment_hash
-from .names import file_name_problem, type_name_problem
+from .names import file_name_problem, readable, type_name_problem
 from .problems import FilesError, Problem
 from .saving import save
 
@@ -23,6 +23,7 @@ __all__ = [
     "file_name_problem",
     "load",
     "moment_hash",
+    "readable",
     "save",
     "type_name_problem",
 ]

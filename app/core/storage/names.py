@@ -30,6 +30,11 @@ def file_name_problem(name: str) -> str:
     return ""
 
 
+def readable(name: str) -> str:
+    """The *name* of a file as text that can be kept: bytes in it that are no text are marked, each as �."""
+    return name.encode(errors="surrogateescape").decode(errors="replace")
+
+
 def type_name_problem(name: str) -> str:
     """Why a node type cannot be called *name*; empty if it can."""
     if folded(name) == MOMENTS:

@@ -1,7 +1,10 @@
 """``understudy experiment`` in this process: what it prints, writes and refuses."""
 
 import json
+import os
+import shlex
 import signal
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +52,13 @@ def test_one_json_document_tells_all_and_where_the_files_are(
     report = (out / "small.md").read_text()
     assert "# Small" in report
     assert f"understudy experiment {folder} small --out {out}" in report
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere every name is text")
+def test_a_report_can_lie_in_a_folder_whose_name_is_no_text(folder: Path, tmp_path: Path) -> None:
+    out = tmp_path / os.fsdecode(b"caf\xe9")
+    assert main(["experiment", str(folder), "small", "--out", str(out)]) == 0
+    assert f"--out {shlex.quote(f'{tmp_path}/caf�')}" in (out / "small.md").read_text(encoding="utf-8")
 
 
 def test_a_table_of_arms_and_one_of_claims_is_printed(
