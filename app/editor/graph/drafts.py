@@ -50,7 +50,7 @@ class Drafts:
         treeless = any(not isinstance(model, Tree) for model in automaton.learned.values())
         examples = project.examples_of(type_name, automaton.id) if treeless else ()  # see `graph_of`
         held = (library.automata.get(held) for held in automaton.nested())
-        made_of = automaton, examples, *held
+        made_of = *_drawn(automaton), examples, *held
         return self._graphs.of(
             BehaviorKey(type_name, automaton.id),
             made_of,
@@ -64,3 +64,16 @@ class Drafts:
             return known, True
         self._laying_out.ask(request)
         return at_once(request, self._last.get(key)), False
+
+
+def _drawn(automaton: Automaton) -> tuple[object, ...]:
+    """All of an automaton that its graph is made of: not its note, nor what its models were learned from."""
+    return (
+        automaton.name,
+        automaton.states,
+        automaton.features,
+        automaton.rules,
+        automaton.prunes,
+        automaton.learned,
+        automaton.settings,
+    )

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.core.edits import disable_examples, rename_automaton
+from app.core.edits import disable_examples, note_state, rename_automaton, set_note
 from app.core.library import Library
 from app.core.project import Project
 from app.core.tree import Forest, Tree
@@ -50,6 +50,14 @@ def test_examples_and_other_behaviors_change_no_graph_of_trees(studio: Studio, d
     studio.document.do(disable_examples, WANDER.type, WANDER.id, ["1"])
     studio.document.do(rename_automaton, FORAGE.type, FORAGE.id, "Gather")
     assert graph(drafts, WANDER) is before
+
+
+def test_a_note_changes_no_graph_and_a_note_on_a_state_does(studio: Studio, drafts: Drafts) -> None:
+    before = graph(drafts, WANDER)
+    studio.document.do(set_note, WANDER.type, WANDER.id, "It looks for boxes.")
+    assert graph(drafts, WANDER) is before
+    studio.document.do(note_state, WANDER.type, WANDER.id, "forward", "As long as nothing is in the way.")
+    assert graph(drafts, WANDER) != before
 
 
 def test_the_name_of_what_a_state_holds_does(studio: Studio, drafts: Drafts) -> None:
