@@ -7,7 +7,7 @@ from ..errors import EditError
 from ..naming import next_number
 from ..project import Project
 from ..tree import Tree
-from .place import change, find_automaton, find_index
+from .place import change, find_automaton, find_index, replaced
 from .rules import refuse_guard
 from .states import refuse_states
 from .words import says
@@ -44,9 +44,7 @@ def remove_cut(project: Project, type_name: str, automaton_id: str, cut_id: str)
     """No such cut any more; learning puts the test back where the examples want it."""
     automaton = find_automaton(project, type_name, automaton_id)
     index = find_index([cut.id for cut in automaton.cuts], cut_id, "cut", automaton.name)
-    return change(
-        project, type_name, automaton_id, cuts=(*automaton.cuts[:index], *automaton.cuts[index + 1 :])
-    )
+    return change(project, type_name, automaton_id, cuts=replaced(automaton.cuts, index))
 
 
 def _refuse(automaton: Automaton, cut: Cut, tree: object) -> None:

@@ -8,7 +8,7 @@ from ..errors import EditError
 from ..naming import next_number
 from ..project import Project
 from ..tree import Tree
-from .place import change, find_automaton, find_index
+from .place import change, find_automaton, find_index, replaced
 from .rules import leaves, refuse_guard
 from .states import refuse_states
 from .words import says
@@ -57,7 +57,7 @@ def replace_prune(
     labels = old.forbidden if forbidden is None else frozenset(forbidden)
     new = Prune(prune_id, old.source, old.guard if guard is None else guard, labels)
     _refuse_prune(automaton, new)
-    prunes = (*automaton.prunes[:index], new, *automaton.prunes[index + 1 :])
+    prunes = replaced(automaton.prunes, index, new)
     return change(project, type_name, automaton_id, prunes=prunes)
 
 
@@ -66,7 +66,7 @@ def remove_prune(project: Project, type_name: str, automaton_id: str, prune_id: 
     """No such prune any more."""
     automaton = find_automaton(project, type_name, automaton_id)
     index = _prune_index(automaton, prune_id)
-    prunes = (*automaton.prunes[:index], *automaton.prunes[index + 1 :])
+    prunes = replaced(automaton.prunes, index)
     return change(project, type_name, automaton_id, prunes=prunes)
 
 

@@ -116,8 +116,13 @@ def with_layout(project: Project, type_name: str, automaton_id: str, layout: Pos
     return replace(project, layouts=layouts)
 
 
+def replaced(items: tuple[Any, ...], index: int, *new: Any) -> tuple[Any, ...]:
+    """*items* with those of *new* in the place of the one at *index*; without any, it is gone."""
+    return (*items[:index], *new, *items[index + 1 :])
+
+
 def moved(items: tuple[Any, ...], index: int, to: int) -> tuple[Any, ...]:
     """*items* with the one at *index* taken out and put in at *to*, which is cut to the range there is."""
-    rest = [*items[:index], *items[index + 1 :]]
+    rest = [*replaced(items, index)]
     rest.insert(max(0, min(to, len(rest))), items[index])
     return tuple(rest)

@@ -10,7 +10,7 @@ from ..naming import next_number
 from ..project import Project
 from ..transition import pruned
 from ..tree import Branch, Leaf, Tree, TreeNode, shares
-from .place import change, find_automaton, find_feature, find_index, listed
+from .place import change, find_automaton, find_feature, find_index, listed, replaced
 from .states import refuse_states
 from .words import says
 
@@ -56,7 +56,7 @@ def replace_rule(
         old.probability if probability is None else probability,
     )
     refuse_rule(automaton, new)
-    rules = (*automaton.rules[:index], new, *automaton.rules[index + 1 :])
+    rules = replaced(automaton.rules, index, new)
     return change(project, type_name, automaton_id, rules=rules)
 
 
@@ -65,7 +65,7 @@ def remove_rule(project: Project, type_name: str, automaton_id: str, rule_id: st
     """No such rule any more."""
     automaton = find_automaton(project, type_name, automaton_id)
     index = _rule_index(automaton, rule_id)
-    rules = (*automaton.rules[:index], *automaton.rules[index + 1 :])
+    rules = replaced(automaton.rules, index)
     return change(project, type_name, automaton_id, rules=rules)
 
 
