@@ -22,6 +22,7 @@ from .soon import Later
 from .studio import Studio
 from .theme import Theme
 from .told_to_end import ToldToEnd
+from .unforeseen import Unforeseen
 from .window.main_window import MainWindow
 
 #: Seconds after which a thread that computes lets the window have its turn. Qt gives its turn away at nearly every call, so
@@ -58,6 +59,8 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     runs = RunWindows(application, window)
     told = ToldToEnd()
     told.came.connect(lambda: close_when_told(window))
+    unforeseen = Unforeseen()
+    unforeseen.came.connect(window.studio.warn)
     window.show()
     window.studio.opened.connect(window.guide.offer)
     if project is not None:
@@ -65,6 +68,7 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
     window.files.offer_left_over(project)
     code = application.exec()
     runs.close()
+    unforeseen.close()
     told.close()
     return code
 
