@@ -1,8 +1,8 @@
 """Work in several threads that is done by one of them at a time."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from threading import Lock
+from time import monotonic
 from typing import TypeVar
 
 from .worker import IsCancelled
@@ -12,6 +12,8 @@ Answered = TypeVar("Answered")
 
 #: Seconds after which who waits goes on all the same: learning may take minutes.
 PATIENCE = 1.0
+#: Seconds after which who waits looks whether what it waits with is still wanted.
+STEP = 0.05
 
 
 class Turns:
@@ -28,22 +30,25 @@ class Turns:
     def taken(
         self, work: Callable[[Asked, IsCancelled], Answered]
     ) -> Callable[[Asked, IsCancelled], Answered]:
-        """*work*, for a `Worker`: it begins once the others have ended, or after a while all the same."""
+        """*work*, for a `Worker`: it begins once the others have ended, or after a while all the same; cancelled, at once."""
 
         def in_turn(question: Asked, cancelled: IsCancelled) -> Answered:
-            with self._turn():
+            mine = self._waited(cancelled)
+            try:
                 return work(question, cancelled)
+            finally:
+                if mine:
+                    self._lock.release()
 
         return in_turn
 
-    @contextmanager
-    def _turn(self) -> Iterator[None]:
-        mine = self._lock.acquire(timeout=self._patience)
-        try:
-            yield
-        finally:
-            if mine:
-                self._lock.release()
+    def _waited(self, cancelled: IsCancelled) -> bool:
+        """Wait for the turn; False where it has not come by the time that nobody waits for it any more."""
+        end = monotonic() + self._patience
+        while not self._lock.acquire(timeout=STEP):
+            if cancelled() or monotonic() > end:
+                return False
+        return True
 
 
 #: Of those who find out, after every edit, what is to be learned and shown.

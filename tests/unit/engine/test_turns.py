@@ -55,6 +55,23 @@ def test_who_has_waited_long_goes_on_all_the_same() -> None:
     assert turns.taken(outer)(2, never) == 6  # who had no turn has given none away
 
 
+def test_who_is_cancelled_waits_no_longer() -> None:
+    turns = Turns(PATIENCE)
+    given_up = Event()
+
+    def waiting(_question: str, cancelled: Callable[[], bool]) -> bool:
+        return cancelled()
+
+    def working(_question: str, _cancelled: Callable[[], bool]) -> list[bool]:
+        found = list[bool]()
+        other = begun(lambda: found.append(turns.taken(waiting)("", given_up.is_set)))
+        given_up.set()
+        other.join(PATIENCE / 2)
+        return found
+
+    assert turns.taken(working)("", never) == [True]
+
+
 def test_the_turn_is_given_back_by_work_that_breaks_down() -> None:
     turns = Turns(PATIENCE)
 
