@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...export.graph import Edge, WayKind, way_words
+from ..escape import takes_escape
 from .rule_form import Place, RuleBlock, RuleForm
 from .scene import GraphScene
 from .scoping import Scoping
@@ -122,14 +122,8 @@ class FormStrip(QFrame):
 
     def event(self, event: QEvent) -> bool:
         """Escape closes the form, and nothing else."""
-        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
-            if event.type() is QEvent.Type.ShortcutOverride:
-                event.accept()
-                return True
-            if event.type() is QEvent.Type.KeyPress:
-                self.closed.emit(Qt.FocusReason.ShortcutFocusReason)
-                return True
-        return super().event(event)
+        reason = Qt.FocusReason.ShortcutFocusReason
+        return takes_escape(event, lambda: self.closed.emit(reason)) or super().event(event)
 
 
 class FormArea(QScrollArea):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..escape import takes_escape
 from .confidence_page import ConfidencePage
 from .cut_page import CutPage
 from .prune_page import PrunePage
@@ -107,11 +107,5 @@ class Tools(QWidget):
 
     def event(self, event: QEvent) -> bool:
         """Escape closes the page."""
-        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape and self.page:
-            if event.type() is QEvent.Type.ShortcutOverride:
-                event.accept()
-                return True
-            if event.type() is QEvent.Type.KeyPress:
-                self.open("")
-                return True
-        return super().event(event)
+        closes = bool(self.page) and takes_escape(event, lambda: self.open(""))
+        return closes or super().event(event)

@@ -6,7 +6,6 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..escape import takes_escape
 from ..icons import icon
 from ..letters import plain
 from ..message import Kind, Message
@@ -121,14 +121,7 @@ class MessageBar(QFrame):
 
     def event(self, event: QEvent) -> bool:
         """Escape dismisses a message that the keys go to, and does nothing else."""
-        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
-            if event.type() is QEvent.Type.ShortcutOverride:
-                event.accept()
-                return True
-            if event.type() is QEvent.Type.KeyPress:
-                self.dismiss()
-                return True
-        return super().event(event)
+        return takes_escape(event, self.dismiss) or super().event(event)
 
     def _button(self, text: str, act: object) -> QPushButton:
         button = QPushButton(plain(text))
