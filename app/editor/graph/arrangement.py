@@ -16,6 +16,10 @@ CLOSE = 0.5
 STANDS = (0.5, 0.36, 0.64, 0.22, 0.78)
 #: How far from an edge words stand that found no place on it.
 ASIDE = 4.0
+#: Where words of a loop may stand beside it, the best first: pixels to the right, and heights of them above or below.
+RIGHT_OF_LOOP, ABOVE_LOOP = (0.0, 14.0, 28.0), (0.0, -0.5, 0.5, -0.8, 0.8)
+#: Shares of a piece of an edge at which it is looked whether it runs through words; words upon words are as bad as so many.
+LOOKS, UPON = tuple(k / 5 for k in range(6)), 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,6 +207,31 @@ def clear_of(run: Run, size: Size, taken: Collection[tuple[Point, Size]]) -> Run
     aside = size[0] / 2 + ASIDE
     stands = [(x + side, y) for side in (0.0, aside, -aside) for x, y in way]
     return Run(run.points, min(stands, key=covered))
+
+
+def loop_clear_of(
+    run: Run, size: Size, others: Collection[Run], taken: Collection[tuple[Point, Size]]
+) -> Run:
+    """A loop, its label where *others* run through as little of it as possible, and least upon what is *taken*."""
+    x, y = run.label
+    tall = size[0] + 2.0 * max(RIGHT_OF_LOOP), size[1] * (1.0 + 2.0 * max(ABOVE_LOOP))
+    ways = [
+        at for other in others for at in _looked_at(other) if _overlap(run.label, tall, at, (0.0, 0.0), 0.0)
+    ]
+    near = [(middle, other) for middle, other in taken if _overlap(run.label, tall, middle, other, 0.0)]
+
+    def covered(at: Point) -> int:
+        through = sum(_overlap(at, size, way, (0.0, 0.0), 0.0) for way in ways)
+        return through + UPON * sum(_overlap(at, size, middle, other, 0.0) for middle, other in near)
+
+    stands = [(x + right, y + share * size[1]) for right in RIGHT_OF_LOOP for share in ABOVE_LOOP]
+    return Run(run.points, min(stands, key=covered))
+
+
+def _looked_at(run: Run) -> list[Point]:
+    """Points on the way of an edge."""
+    firsts = range(0, len(run.points) - 1, 3)
+    return [_on_the_way(run.points[first : first + 4], share) for first in firsts for share in LOOKS]
 
 
 def _on_the_way(points: Sequence[Point], share: float) -> Point:

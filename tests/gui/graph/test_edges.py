@@ -1,5 +1,6 @@
 """How transitions are drawn: wider the more examples speak for them, dashed where a rule says so, dotted where pruned."""
 
+import pytest
 from PySide6.QtCore import Qt
 
 from app.editor.graph.panel import GraphPanel
@@ -44,3 +45,16 @@ def test_the_words_of_a_loop_are_not_struck_through_by_other_edges(panel: GraphP
     assert other.zValue() < loop.zValue() < panel.scene.states["forward",].zValue()
     author.click_edge("rotate-right", "forward")
     assert other.zValue() > loop.zValue()
+
+
+@pytest.mark.parametrize("behavior", ["wander", "goto", "return-with-box", "gather-at"])
+def test_edges_run_beside_the_words_of_loops(panel: GraphPanel, author: Author, behavior: str) -> None:
+    author.show(BehaviorKey("agent", behavior))
+    edges = panel.scene.edges
+    loops = [key for key in edges if key[1] == key[2]]
+    assert loops
+    for loop in loops:
+        words = edges[loop]._label_box().adjusted(2, 4, -2, -4)  # the letters
+        for key, item in edges.items():
+            through = sum(words.contains(item._path.pointAtPercent(share / 100)) for share in range(101))
+            assert key == loop or through < 5, (loop, key)  # where there is no room, one may graze another

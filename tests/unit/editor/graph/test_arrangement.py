@@ -6,10 +6,12 @@ import pytest
 
 from app.editor.graph.arrangement import (
     Request,
+    Run,
     at_once,
     border,
     clear_of,
     from_dot,
+    loop_clear_of,
     loop_of,
     middle_of,
     run_between,
@@ -109,6 +111,19 @@ def test_of_states_that_cannot_be_reached_the_first_of_each_group_wants_a_transi
     edges = (("a", "b", 0.0, 0.0), ("b", "a", 0.0, 0.0))
     assert not_reached({"nodes": REQUEST.nodes, "edges": edges}) == ["a", "lonely"]
     assert not_reached({"nodes": REQUEST.nodes, "edges": REQUEST.edges}) == ["lonely"]
+
+
+def test_words_of_a_loop_stand_beside_what_else_comes_to_its_state() -> None:
+    loop, size = loop_of((0.0, 0.0), SIZE, 80.0), (80.0, 40.0)
+    x, y = loop.label
+    comes = Run(
+        ((x + 60.0, y + 60.0), (x + 40.0, y + 14.0), (x + 20.0, y + 8.0), (x - 60.0, y + 6.0)), (x, y)
+    )
+    assert loop_clear_of(loop, size, (), ()).label == (x, y)
+    above = loop_clear_of(loop, size, [comes], ()).label
+    assert (above[0], above[1] < y) == (x, True)
+    below = loop_clear_of(loop, size, [comes], [((x, y - 20.0), (80.0, 30.0))]).label
+    assert below[1] >= y, "words upon words are worse"
 
 
 def test_words_at_an_edge_make_room_for_what_is_there() -> None:
