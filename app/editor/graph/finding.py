@@ -1,5 +1,7 @@
 """A field at the top of a long menu that leaves the entries which hold what is typed."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QWidgetAction
@@ -8,6 +10,9 @@ from ..letters import unmarked
 
 #: A menu of more entries than this is searched rather than read.
 MOST_READ = 24
+#: Of each part of it so many are shown before something is typed, and so many of what is found: Qt's menus neither scroll
+#: nor keep to the screen once entries have come or gone.
+MOST_OF_PART, MOST_FOUND = 8, 16
 #: What the menu does with a key, though the field has it.
 _FOR_THE_MENU = (
     Qt.Key.Key_Up,
@@ -29,8 +34,7 @@ class Finder(QObject):
         """Watch a menu that has all its entries; *always* is left whatever is typed."""
         super().__init__(menu)
         self._menu = menu
-        self._entries = [entry for entry in menu.actions() if not entry.isSeparator() and entry is not always]
-        self._sections = [entry for entry in menu.actions() if entry.isSeparator()]
+        self._parts = _parts(menu.actions(), always)
         self.field = QLineEdit(placeholderText="Find")
         self.field.setAccessibleName(tip)
         self.field.setToolTip(tip)
@@ -39,9 +43,12 @@ class Finder(QObject):
         holder = QWidgetAction(menu)
         holder.setDefaultWidget(self.field)
         menu.insertAction(menu.actions()[0], holder)
+        self._rest = [self._told_last(part) for part in self._parts]
         menu.ensurePolished()  # without which the next line would change nothing
-        menu.setStyleSheet("QMenu { menu-scrollable: 1; }")  # rather than columns across the screen
+        menu.setStyleSheet("QMenu { menu-scrollable: 1; }")  # rather than columns, on a screen that is low
         menu.aboutToShow.connect(self._begin)
+        self._find("")
+        menu.setMinimumWidth(menu.sizeHint().width())  # so that it stays beside what it was opened from
 
     def eventFilter(self, _field: QObject, event: QEvent) -> bool:
         """Keys that move and choose are the menu's."""
@@ -58,15 +65,41 @@ class Finder(QObject):
         self.field.clear()
         self.field.setFocus(Qt.FocusReason.PopupFocusReason)
 
+    def _told_last(self, part: list[QAction]) -> QAction:
+        """An entry behind a part that says how many are not shown."""
+        following = self._menu.actions()[self._menu.actions().index(part[-1]) + 1]
+        told = QAction(self._menu)
+        told.setEnabled(False)
+        self._menu.insertAction(following, told)
+        return told
+
     def _find(self, text: str) -> None:
-        wanted = text.strip().casefold()
-        for action in self._entries:
-            action.setVisible(wanted in unmarked(action.text()).casefold())
-        for section in self._sections:
+        wanted, room = text.strip().casefold(), MOST_FOUND
+        first: QAction | None = None
+        for (section, *entries), rest in zip(self._parts, self._rest, strict=True):
             section.setVisible(not wanted)
-        first = next((action for action in self._entries if action.isVisible()), None)
+            found = [entry for entry in entries if wanted in unmarked(entry.text()).casefold()]
+            shown = found[: room if wanted else MOST_OF_PART]
+            for entry in entries:
+                entry.setVisible(entry in shown)
+            left = len(found) - len(shown)
+            rest.setText(f"{left} more: type {'on ' if wanted else ''}to find them")
+            rest.setVisible(left > 0)
+            room -= len(shown)
+            first = first or next(iter(shown), None)
         if wanted and first is not None:
             self._menu.setActiveAction(first)
+
+
+def _parts(entries: Sequence[QAction], always: QAction) -> list[list[QAction]]:
+    """The parts of a menu: each a title and what stands below it."""
+    parts: list[list[QAction]] = []
+    for entry in entries:
+        if entry.isSeparator():
+            parts.append([entry])
+        elif entry is not always:
+            parts[-1].append(entry)
+    return [part for part in parts if len(part) > 1]
 
 
 def let_find(menu: QMenu, tip: str, always: QAction) -> None:

@@ -59,7 +59,7 @@ def test_the_menu_offers_only_what_a_state_can_hold(author: Author) -> None:
 def test_a_long_menu_of_states_is_searched_by_typing(
     blank: BehaviorKey, author: Author, studio: Studio
 ) -> None:
-    for number in range(30):
+    for number in range(200):
         studio.document.do(add_automaton, blank.type, f"Behavior {number}")
     studio.document.do(add_automaton, blank.type, "Pick & drop")
     author.settle()
@@ -68,7 +68,10 @@ def test_a_long_menu_of_states_is_searched_by_typing(
     assert menu is not None
     offered = [action.text() for action in menu.actions() if action.text().startswith("Behavior")]
     assert offered[1:3] == ["Behavior 1", "Behavior 2"]
-    assert menu.width() < menu.sizeHint().height()  # one column, which scrolls
+    assert menu.width() < menu.height() < 700  # one column, on every screen
+    seen = [action.text() for action in menu.actions() if action.isVisible()]
+    assert seen[seen.index("Automata") + 1 :][:3] == ["Behavior 0", "Behavior 1", "Behavior 2"]
+    assert {"199 more: type to find them", "Forward", "⚑ done"} < set(seen)
     field = menu.findChild(QLineEdit)
     assert isinstance(field, QLineEdit)
     author.qtbot.waitUntil(lambda: menu.focusWidget() is field)
@@ -77,6 +80,10 @@ def test_a_long_menu_of_states_is_searched_by_typing(
         "Pick && drop",
         "⚑ another flag…",
     ]
+    field.clear()
+    author.qtbot.keyClicks(field, "behavior 1")
+    author.qtbot.waitUntil(lambda: menu.height() < 700)
+    assert any(action.text() == "95 more: type on to find them" for action in menu.actions())
     field.clear()
     author.qtbot.keyClicks(field, "behavior 2")
     left = [action.text() for action in menu.actions() if action.isVisible() and action.text()]
