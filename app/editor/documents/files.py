@@ -200,7 +200,8 @@ class Files(QObject):
         openable: Callable[[], object] = partial(self.recover, kept)
         if folder is not None and (folder / "project.json").is_file():
             openable = partial(self.open, folder, recover=True)
-        text = f"Understudy ended without saving {kept.name or 'a project'}; it was autosaved at {clock(kept.at)}"
+        name = f"{kept.name or 'a project'}{'' if folder is None else f' in {folder}'}"
+        text = f"Understudy ended without saving {name}; it was autosaved at {clock(kept.at)}"
         answers = (("Recover", openable), ("Discard", partial(autosaves.discard, kept.private)))
         self.studio.said.emit(
             Message(text, Kind.WARNING, answers, holds=lambda: self.held.private != kept.private)

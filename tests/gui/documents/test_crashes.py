@@ -112,8 +112,10 @@ def test_who_says_at_the_start_that_a_project_is_to_be_recovered_is_not_asked_ag
     gone = Owner(2**22 + 1, ours.host, "1", ours.since, "gone")
     autosaves.write(folder / NAME, note_project(small, "kept"), folder, gone, None)
     autosaves.note(settings.state, gone, folder / NAME)
-    with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE):
+    with qtbot.waitSignal(desk.messages.shown, timeout=PATIENCE) as shown:
         desk.files.offer_left_over()
+    assert shown.args is not None
+    assert f"without saving Small in {folder}" in shown.args[0]  # several may be called so
     button = next(b for b in desk.messages.findChildren(QPushButton) if b.text() == "Recover")
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: desk.studio.document.project.note == "kept", timeout=PATIENCE)
