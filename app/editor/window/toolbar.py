@@ -32,8 +32,6 @@ if TYPE_CHECKING:
 SEED_DIGITS = (5, 10)
 #: Pixels of the buttons for reset and undo where there is room to say what they do; of undo at least and at most.
 RESET_WORDS, UNDO_WORDS = 80, (170, 420)
-#: Pixels around the words of a button, its icon aside.
-AROUND_WORDS = 34
 #: Pixels of the list of arms, at least; where there is no room for it, it is in what the tool bar opens at its end.
 NARROWEST_ARM = 120
 
@@ -120,6 +118,7 @@ class Toolbar(QToolBar):
         self.addSeparator()
         self.undo = self._add("edit.undo")
         self._button_width = self.undo.sizeHint().width()  # without words
+        self._around_words = self._measured_around_words()
         self._words_width = 0  # of undo with words; 0 without
         self._longest = 0  # what the longest words took so far, so that nothing moves from step to step
         self._add("edit.redo")
@@ -168,20 +167,28 @@ class Toolbar(QToolBar):
         self._longest = 0
         self._say_what_undo_undoes()
 
+    def _measured_around_words(self) -> int:
+        """Pixels of the button for undo besides its words, as the style and the font of this machine have it."""
+        style = Qt.ToolButtonStyle
+        self.undo.setToolButtonStyle(style.ToolButtonTextBesideIcon)
+        around = self.undo.sizeHint().width() - self._width_of(self.undo.text())
+        self.undo.setToolButtonStyle(style.ToolButtonIconOnly)
+        return around
+
+    def _width_of(self, words: str) -> int:
+        return self.undo.fontMetrics().horizontalAdvance(words)
+
     def _say_what_undo_undoes(self) -> None:
-        needed = self.fontMetrics().horizontalAdvance(undo_words(self._studio)) + self._around_words
+        # What has not a fraction of a pixel more than that would be cut off.
+        needed = self._width_of(undo_words(self._studio)) + 1 + self._around_words
         self._longest = max(self._longest, needed)
         self._fit_words()
         self._elide_words()
 
-    @property
-    def _around_words(self) -> int:
-        return self.iconSize().width() + AROUND_WORDS
-
     def _elide_words(self) -> None:
         action, text = self._studio.actions["edit.undo"], undo_words(self._studio)
         room = max(self._words_width, UNDO_WORDS[0]) - self._around_words
-        action.setIconText(plain(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room)))
+        action.setIconText(plain(self.undo.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room)))
 
     def _add(self, action: str) -> QToolButton:
         button = QToolButton()

@@ -1,5 +1,7 @@
 """The tool bar: arms, seeds, what undo would undo, and what there is room for."""
 
+from functools import partial
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
@@ -76,6 +78,17 @@ def test_what_undo_would_undo_is_said_in_full_where_there_is_room_and_stays_in_i
     qtbot.waitUntil(lambda: tools.undo.text().endswith("…"))
     assert tools.undo.sizeHint().width() <= tools.undo.width()
     assert tools.arm.isVisible()
+
+
+def test_what_is_said_in_full_is_not_cut_off_for_a_fraction_of_a_pixel(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    window.resize(1920, 1080)
+    for many in range(12, 42):
+        words = "Move-what-was-selected-to-where-it-is-needed"[:many]
+        studio.document.push(words, studio.document.project, mark=words)
+        qtbot.waitUntil(partial(lambda words: window.toolbar.undo.text() == f"Undo: {words}", words))
+        assert window.toolbar.undo.sizeHint().width() <= window.toolbar.undo.minimumWidth()
 
 
 def test_the_field_of_the_seed_takes_no_more_room_than_the_seed(window: MainWindow, qtbot: QtBot) -> None:
