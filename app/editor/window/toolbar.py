@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 SEED_DIGITS = (5, 10)
 #: Pixels of the buttons for reset and undo where there is room to say what they do; of undo at least and at most.
 RESET_WORDS, UNDO_WORDS = 80, (170, 420)
+#: Pixels that words may take more than they measure: each of the sums around them is rounded.
+ROUNDED = 2
 #: Pixels of the list of arms, at least; where there is no room for it, it is in what the tool bar opens at its end.
 NARROWEST_ARM = 120
 
@@ -179,8 +181,7 @@ class Toolbar(QToolBar):
         return self.undo.fontMetrics().horizontalAdvance(words)
 
     def _say_what_undo_undoes(self) -> None:
-        # What has not a fraction of a pixel more than that would be cut off.
-        needed = self._width_of(undo_words(self._studio)) + 1 + self._around_words
+        needed = self._width_of(undo_words(self._studio)) + ROUNDED + self._around_words
         self._longest = max(self._longest, needed)
         self._fit_words()
         self._elide_words()
