@@ -52,7 +52,7 @@ def best_arcs(found: Blocks, nodes: Whole, least: float) -> Arcs:
     for number in np.flatnonzero(sizes > FEW_CUTS).tolist():
         mine = thinned(cuts[starts[number] : starts[number] + sizes[number]], found)
         parts.append(_bounded(mine, found, nodes, least))
-    return tuple(np.concatenate(column) for column in zip(*parts, strict=True))  # type: ignore[return-value]
+    return tuple(np.concatenate(column) for column in zip(*parts, strict=True))  # type: ignore[return-value] # as many arrays as `Arcs` has
 
 
 def _empty() -> Arcs:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from ..errors import EditError
 from ..hierarchy import Hierarchy, Node
@@ -15,10 +16,10 @@ def find_arm(project: Project, name: str) -> Arm:
     return project.arm(name)
 
 
-def change_arm(project: Project, name: str, **fields: object) -> Project:
+def change_arm(project: Project, name: str, **fields: Any) -> Project:
     """*project* with other values for some fields of one arm."""
     old = find_arm(project, name)
-    new = replace(old, **fields)  # type: ignore[arg-type]
+    new = replace(old, **fields)
     return replace(project, arms=tuple(new if arm is old else arm for arm in project.arms))
 
 

@@ -6,6 +6,7 @@ Examples keep the values of dropped features; those of rebound ones are forgotte
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from typing import Any
 
 from ..automaton import Automaton, Model, Prune, Refit, Rule
 from ..conditions import Condition, Guard
@@ -162,10 +163,10 @@ def move_feature(project: Project, type_name: str, automaton_id: str, feature_id
 
 
 def _change_feature(
-    project: Project, type_name: str, automaton_id: str, feature_id: str, **fields: object
+    project: Project, type_name: str, automaton_id: str, feature_id: str, **fields: Any
 ) -> Project:
     automaton = find_automaton(project, type_name, automaton_id)
     old = find_feature(automaton, feature_id)
-    new = replace(old, **fields)  # type: ignore[arg-type]
+    new = replace(old, **fields)
     features = tuple(new if use is old else use for use in automaton.features)
     return change(project, type_name, automaton_id, features=features)

@@ -7,6 +7,7 @@ be played; its id is not given out again while these are there.
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 from ..automaton import START, Automaton, Basic, Content, Nested, Prune, RaiseFlag, Refit, Start, State
 from ..errors import EditError
@@ -181,11 +182,11 @@ def move_state(project: Project, type_name: str, automaton_id: str, state_id: st
 
 
 def _change_state(
-    project: Project, type_name: str, automaton_id: str, state_id: str, **fields: object
+    project: Project, type_name: str, automaton_id: str, state_id: str, **fields: Any
 ) -> Project:
     automaton = find_automaton(project, type_name, automaton_id)
     old = find_state(project, type_name, automaton, state_id)
-    new = replace(old, **fields)  # type: ignore[arg-type]
+    new = replace(old, **fields)
     states = tuple(new if state is old else state for state in automaton.states)
     return change(project, type_name, automaton_id, states=states)
 

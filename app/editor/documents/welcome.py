@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QIcon, QShowEvent
+from PySide6.QtGui import QHideEvent, QIcon, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...core.errors import UnderstudyError
+from ...core.storage import file_is_there
 from ...engine.shipped import shipped_projects
 from ..icons import icon
 from ..letters import plain
@@ -73,11 +74,11 @@ class WelcomePage(QScrollArea):
         # Not for a page that gives way at once to a project that is being opened.
         QTimer.singleShot(0, self, self._ask)
 
-    def hideEvent(self, event: object) -> None:
+    def hideEvent(self, event: QHideEvent) -> None:
         """Wait for no more pictures; those that are missing are asked for again when the page is back."""
         self._background.close()
         self._asked = set(self.previews)
-        super().hideEvent(event)  # type: ignore[arg-type]
+        super().hideEvent(event)
 
     def _ask(self) -> None:
         for folder in shipped_projects():
@@ -196,7 +197,7 @@ class WelcomePage(QScrollArea):
             button.setIcon(icon("image-outline", self._studio.theme, "hairline"))
 
     def _recent(self, folder: Path) -> QHBoxLayout:
-        there = (folder / "project.json").exists()
+        there = file_is_there(folder / "project.json")
         row = QHBoxLayout()
         row.setSpacing(8)
         button = QPushButton(folder.name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit, QVBoxLayout, QWidget
@@ -165,10 +166,10 @@ class StateForm(QWidget):
             return None
         return automaton.state(self.place[2])
 
-    def _edit(self, edit: object, field: QLineEdit, name: str) -> None:
+    def _edit(self, edit: Callable[..., object], field: QLineEdit, name: str) -> None:
         state = self._state()
         if state is not None and self.place is not None and field.text() != getattr(state, name):
-            self._studio.document.attempt(edit, *self.place, field.text())  # type: ignore[arg-type]
+            self._studio.document.attempt(edit, *self.place, field.text())
 
     def _flag_named(self) -> None:
         state = self._state()

@@ -1,4 +1,5 @@
 # mypy: disable-error-code="no-untyped-call"
+# numba's own types carry none.
 """Columns as compiled code sees them: bare pointers, read and written by index, without bounds or reference counts.
 
 Arrays in a hot loop cost six times as much. The price: an index out of range is not noticed, and the
@@ -11,7 +12,7 @@ from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
-from llvmlite import ir  # type: ignore[import-untyped]
+from llvmlite import ir  # type: ignore[import-untyped] # it ships no types
 from numba import types
 from numba.core.imputils import lower_builtin, lower_getattr_generic
 from numba.core.typing.templates import (
@@ -49,7 +50,7 @@ class _ColumnModel(models.PrimitiveModel):
 
 @infer_global(operator.getitem)
 class _Get(AbstractTemplate):
-    def generic(self, args: Any, kws: Any) -> Any:  # noqa: ARG002
+    def generic(self, args: Any, _kws: Any) -> Any:
         if len(args) == 2 and isinstance(args[0], ColumnType) and isinstance(args[1], types.Integer):
             return signature(args[0].dtype, args[0], types.int64)
         return None
@@ -57,7 +58,7 @@ class _Get(AbstractTemplate):
 
 @infer_global(operator.setitem)
 class _Set(AbstractTemplate):
-    def generic(self, args: Any, kws: Any) -> Any:  # noqa: ARG002
+    def generic(self, args: Any, _kws: Any) -> Any:
         if len(args) != 3 or not isinstance(args[0], ColumnType) or not isinstance(args[1], types.Integer):
             return None
         whole = isinstance(args[0].dtype, types.Integer)

@@ -1,18 +1,9 @@
+# mypy: disable-error-code="no-any-return"
+# Columns are of numbers, as the program has declared them; mypy takes them for anything.
 """The transition function of a state: which state comes next."""
 
 from ...core.chance import FIRST_CONTROLLER, draw
-from ..program.tables import (
-    ARGMAX,
-    DECIDE,
-    END,
-    FORBID,
-    HOLD,
-    KEY_HEAD,
-    LEAF,
-    LEARNED,
-    TAKE,
-    TEST,
-)
+from ..program.tables import ARGMAX, DECIDE, END, FORBID, HOLD, KEY_HEAD, LEAF, LEARNED, TAKE, TEST
 from .calls import MACHINE_KEY, Runs, Tables, World
 from .features import value_of
 
@@ -31,7 +22,7 @@ def next_state(
     if tab.operation[at] == DECIDE:
         runs.leaf[row] = tab.goal[at]
         if tab.no[at] >= 0:
-            return tab.no[at]  # type: ignore[no-any-return]
+            return tab.no[at]
         return drawn_at_leaf(tab, runs, node, state, tab.goal[at], level, now)
     return weighed(world, tab, runs, node, row, at, level, now, stamp)
 
@@ -39,7 +30,7 @@ def next_state(
 def branch(world: World, tab: Tables, runs: Runs, node: int, row: int, at: int, now: int, stamp: int) -> int:
     """Where a test leads."""
     value = value_of(world, tab, runs, node, row, tab.use[at], tab.goal[at], now, stamp)
-    return tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]  # type: ignore[no-any-return]
+    return tab.yes[at] if tab.low[at] <= value <= tab.high[at] else tab.no[at]
 
 
 def drawer(tab: Tables, node: int) -> int:
@@ -57,7 +48,7 @@ def drawn_at_leaf(tab: Tables, runs: Runs, node: int, state: int, leaf: int, lev
         k += 1
     while k > 0 and tab.share[at + k] == 0.0:
         k -= 1  # rounding has left a bit at the end: the last possible label takes it
-    return tab.label[tab.labels_at[state] + k]  # type: ignore[no-any-return]
+    return tab.label[tab.labels_at[state] + k]
 
 
 def weighed(  # noqa: PLR0917 - as many numbers as there are: compiled code takes scalars
@@ -193,7 +184,7 @@ def chosen(
     if tab.sampling[state] == ARGMAX:
         return most_probable(runs, entries + 1)
     if runs.entry_share[0] >= 1.0:
-        return runs.entry[0]  # type: ignore[no-any-return]
+        return runs.entry[0]
     u = draw(runs.once[MACHINE_KEY], now, drawer, level)
     total = 0.0
     last = state
@@ -201,7 +192,7 @@ def chosen(
         share = runs.entry_share[k]
         total += share
         if u < total:
-            return runs.entry[k]  # type: ignore[no-any-return]
+            return runs.entry[k]
         if share > 0.0:
             last = runs.entry[k]
     return last
@@ -217,4 +208,4 @@ def most_probable(runs: Runs, entries: int) -> int:
     for k in range(1, entries):
         if runs.state_total[runs.entry[k]] > runs.state_total[best]:
             best = runs.entry[k]
-    return best  # type: ignore[no-any-return]
+    return best

@@ -1,3 +1,5 @@
+# mypy: disable-error-code="no-any-return"
+# Columns are of numbers, as the program has declared them; mypy takes them for anything.
 """Changing state: a run stops what it holds and starts something else, a controller directs its subsidiaries."""
 
 from ..program.tables import BASIC, NESTED, NO_KEY, NO_LEAF
@@ -57,7 +59,7 @@ def back_to_start(tab: Tables, runs: Runs, node: int, level: int, flag: int, now
 def directs(tab: Tables, runs: Runs, node: int) -> bool:
     """Whether a node is in a state in which a controller directs its subsidiaries."""
     what = runs.what[node * tab.levels + runs.depth[node] - 1]
-    return what < 0 and tab.derived[-1 - what] != 0  # type: ignore[no-any-return]
+    return what < 0 and tab.derived[-1 - what] != 0
 
 
 def direct_all(tab: Tables, runs: Runs, node: int, row: int, basic: int, now: int) -> None:

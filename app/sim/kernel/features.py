@@ -1,3 +1,5 @@
+# mypy: disable-error-code="no-any-return"
+# Columns are of numbers, as the program has declared them; mypy takes them for anything.
 """What features mean to a node: values that are sensed once a tick, and whom their targets are."""
 
 from ..program.tables import (
@@ -25,7 +27,7 @@ def value_of(  # noqa: PLR0917 - as many numbers as there are: compiled code tak
             runs.use_stamp[use] = stamp
             me = node - tab.controllers
             runs.use_value[use] = sensed(world, tab, runs, node, row, use, me, stamp)
-        return runs.use_value[use]  # type: ignore[no-any-return]
+        return runs.use_value[use]
     if source == FLAG_UP:
         below = row + 1 - node * tab.levels
         return 1.0 if below < runs.depth[node] and runs.flags[row + 1] & tab.flag[use] != 0 else 0.0
@@ -43,7 +45,7 @@ def sensed(
         entity = bound_to(world, tab, runs, node, row, tab.binding[tab.slots_at[use]], me, stamp)
         runs.sense_on[0] = entity
         if entity == -1 or (slots > 1 and not others_found(world, tab, runs, node, row, use, me, stamp)):
-            return tab.default[use]  # type: ignore[no-any-return]
+            return tab.default[use]
     return sense(world, tab.feature[use], me, runs.sense_on, runs.once)
 
 
@@ -77,7 +79,7 @@ def found_by(world: World, tab: Tables, runs: Runs, target: int, owner: int, me:
         runs.target_entity[target] = find(
             world, target, tab.first_member[owner], tab.end_member[owner], me, runs.once
         )
-    return runs.target_entity[target]  # type: ignore[no-any-return]
+    return runs.target_entity[target]
 
 
 def of_those_below(
@@ -92,7 +94,7 @@ def of_those_below(
             )
         else:
             runs.use_value[use] = statistic(world, tab, runs, node, row, use)
-    return runs.use_value[use]  # type: ignore[no-any-return]
+    return runs.use_value[use]
 
 
 def statistic(world: World, tab: Tables, runs: Runs, node: int, row: int, use: int) -> float:
@@ -117,7 +119,7 @@ def statistic(world: World, tab: Tables, runs: Runs, node: int, row: int, use: i
             result = summed_up(tab.statistic[use], count, result, shown(tab, runs, use, below))
             count += 1
     if count == 0:
-        return tab.empty[use]  # type: ignore[no-any-return]
+        return tab.empty[use]
     return result / count if tab.statistic[use] == MEAN else result
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numba
-from llvmlite import binding  # type: ignore[import-untyped]
+from llvmlite import binding  # type: ignore[import-untyped] # it ships no types
 
 #: Its stubs leave out most of the settings.
 _settings: Any = numba.config

@@ -1,3 +1,5 @@
+# mypy: disable-error-code="no-untyped-def"
+# numba finds out the types itself.
 """Compiled twins of what scenarios share: the same chance, to the bit, and the same angles, faster."""
 
 from math import cos, pi, sin, tau
@@ -17,27 +19,27 @@ _FIRST_SCENARIO_DRAW = chance.FIRST_SCENARIO_DRAW
 
 
 @njit(forceinline=True)
-def _mix(value):  # type: ignore[no-untyped-def]
+def _mix(value):
     value = (value ^ (value >> _30)) * _MIX_1
     value = (value ^ (value >> _27)) * _MIX_2
     return value ^ (value >> _31)
 
 
 @njit(forceinline=True)
-def draw(key, tick, who, number):  # type: ignore[no-untyped-def]
+def draw(key, tick, who, number):
     """`app.core.chance.draw`."""
     first = _mix(_U(key) + _U(tick) * _TICK + _U(who) * _WHO)
     return np.float64(_mix(first + _U(number) * _GOLDEN) >> _11) * _UNIT
 
 
 @njit(forceinline=True)
-def uniform(clock, who, number):  # type: ignore[no-untyped-def]
+def uniform(clock, who, number):
     """`app.core.chance.uniform`."""
     return draw(clock[3], clock[2], who, _FIRST_SCENARIO_DRAW + number)
 
 
 @njit(forceinline=True)
-def wrapped(angle):  # type: ignore[no-untyped-def]
+def wrapped(angle):
     """`app.sim.geometry.wrapped` without dividing where one turn more or less is exact."""
     turned = angle + _PI
     if turned < 0.0 and turned >= -_TAU:
@@ -50,7 +52,7 @@ def wrapped(angle):  # type: ignore[no-untyped-def]
 
 
 @njit(forceinline=True)
-def _know(world, entity):  # type: ignore[no-untyped-def]
+def _know(world, entity):
     """Let the remembered cosine and sine be those of the heading; bits tell 0.0 from -0.0, whose sines differ."""
     bits = world.heading_bits[entity]
     if world.known_heading[entity] != bits:
@@ -60,14 +62,14 @@ def _know(world, entity):  # type: ignore[no-untyped-def]
 
 
 @njit(forceinline=True)
-def heading_cos(world, entity):  # type: ignore[no-untyped-def]
+def heading_cos(world, entity):
     """`app.sim.geometry.heading_cos`, computed only where the entity has turned."""
     _know(world, entity)
     return world.known_cos[entity]
 
 
 @njit(forceinline=True)
-def heading_sin(world, entity):  # type: ignore[no-untyped-def]
+def heading_sin(world, entity):
     """`app.sim.geometry.heading_sin`, computed only where the entity has turned."""
     _know(world, entity)
     return world.known_sin[entity]

@@ -1,3 +1,5 @@
+# mypy: disable-error-code="no-untyped-def"
+# numba finds out the types itself.
 """What the kernel is measured against: a loop written by hand for one behavior, the trained forager without controllers.
 
 It knows nothing of automata: every state of every automaton that the forager passes through is a case below, every cut
@@ -106,7 +108,7 @@ def _refuse_unknown(start: Start) -> None:
 
 
 @njit(forceinline=True)
-def _goto(doing, direction, distance):  # type: ignore[no-untyped-def]
+def _goto(doing, direction, distance):
     """What Goto does next."""
     if doing == FORWARD:
         if -0.30160016886123747 <= direction < 0.14559100666617653:
@@ -124,14 +126,14 @@ def _goto(doing, direction, distance):  # type: ignore[no-untyped-def]
 
 
 @njit(forceinline=True)
-def _clamped(value, high):  # type: ignore[no-untyped-def]
+def _clamped(value, high):
     if value < 0.0:
         return 0.0
     return min(value, high)
 
 
 @njit(forceinline=True)
-def _wandering(doing, passed, key, now, me):  # type: ignore[no-untyped-def]
+def _wandering(doing, passed, key, now, me):
     """What Wander does next while no box is in sight, *passed* ticks after it began to do what it does."""
     if doing == WANDER:
         if passed <= 179:
@@ -141,7 +143,7 @@ def _wandering(doing, passed, key, now, me):  # type: ignore[no-untyped-def]
 
 
 @njit
-def _list_open(sizes, x, y, needed, pulling, open_box, open_x, open_y):  # type: ignore[no-untyped-def]
+def _list_open(sizes, x, y, needed, pulling, open_box, open_x, open_y):
     """Write down which boxes need pullers, and where they are; how many there are."""
     _, first_box, end_box, _ = sizes
     opened = 0
@@ -155,7 +157,7 @@ def _list_open(sizes, x, y, needed, pulling, open_box, open_x, open_y):  # type:
 
 
 @njit
-def _attach(clock, grabs, wanted, grabbing, held, needed, pulling):  # type: ignore[no-untyped-def]
+def _attach(clock, grabs, wanted, grabbing, held, needed, pulling):
     """Attach those who grab, the lowest draws where more grab than a box needs; how many boxes are full by that."""
     for k in range(grabbing):
         box = wanted[k]
@@ -176,7 +178,7 @@ def _attach(clock, grabs, wanted, grabbing, held, needed, pulling):  # type: ign
 
 
 @njit
-def _carry(box, sx, sy, agents, numbers, x, y, held):  # type: ignore[no-untyped-def]
+def _carry(box, sx, sy, agents, numbers, x, y, held):
     """Move a box one step along the sum of its pullers' headings, and all who hold it, as far as the walls allow."""
     width, height, step, _, _, _, _ = numbers
     length = sqrt(sx * sx + sy * sy)
@@ -195,7 +197,7 @@ def _carry(box, sx, sy, agents, numbers, x, y, held):  # type: ignore[no-untyped
 
 
 @njit
-def _deliver(box, sizes, numbers, clock, x, y, held, pulling):  # type: ignore[no-untyped-def]
+def _deliver(box, sizes, numbers, clock, x, y, held, pulling):
     """Release all who hold a box that is at the deposit, and place it anew."""
     agents, _, _, deposit = sizes
     width, height, _, _, _, _, deposit_range = numbers
@@ -216,7 +218,7 @@ def _deliver(box, sizes, numbers, clock, x, y, held, pulling):  # type: ignore[n
 
 
 @njit(nogil=True, cache=True)
-def _run(  # type: ignore[no-untyped-def]  # noqa: C901, PLR0912, PLR0915, PLR0917 - calls with arrays would cost what it is to measure
+def _run(  # noqa: C901, PLR0912, PLR0915, PLR0917 - calls with arrays would cost what it is to measure
     ticks,
     sizes,
     numbers,
