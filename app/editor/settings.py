@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QByteArray, QObject, QSettings, Signal
 
+from ..core.storage import folder_is_there
 from .theme import ThemeMode
 
 #: Seconds between autosaves, and how many recent projects are remembered.
@@ -108,7 +109,7 @@ class Settings(QObject):
     def projects_folder(self) -> Path:
         """Where the user keeps projects."""
         found = str(self._stored.value("projects_folder", ""))
-        return Path(found) if found and Path(found).is_dir() else Path.home()
+        return Path(found) if found and folder_is_there(Path(found)) else Path.home()
 
     @projects_folder.setter
     def projects_folder(self, folder: Path) -> None:

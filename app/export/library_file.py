@@ -81,12 +81,13 @@ def write(exported: Exported, path: Path) -> None:
     Raises:
         FilesError: It cannot be written there.
     """
-    if not path.parent.is_dir():
-        raise FilesError(path, [Problem("", "", f"there is no folder {path.parent}")])
     try:
+        if not path.parent.is_dir():
+            raise FilesError(path, [Problem("", "", f"there is no folder {path.parent}")])
         change_files({path: content(exported)}, ())
-    except WriteError as error:
-        raise FilesError(path, [Problem("", "", f"cannot be written: {reason(error.error)}")]) from error
+    except (OSError, WriteError) as error:
+        why = reason(error.error if isinstance(error, WriteError) else error)
+        raise FilesError(path, [Problem("", "", f"cannot be written: {why}")]) from error
 
 
 def names_export(path: Path) -> bool:

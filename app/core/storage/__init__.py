@@ -13,6 +13,7 @@ from .loading import load
 from .migrations import SCHEMA_VERSION
 from .moments import moment_hash
 from .names import file_name_problem, readable, type_name_problem
+from .presence import file_is_there, folder_is_there
 from .problems import FilesError, Problem
 from .saving import save
 
@@ -20,7 +21,9 @@ __all__ = [
     "SCHEMA_VERSION",
     "FilesError",
     "Problem",
+    "file_is_there",
     "file_name_problem",
+    "folder_is_there",
     "load",
     "moment_hash",
     "readable",

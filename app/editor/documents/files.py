@@ -14,6 +14,7 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from ...core.edits import rename_project
 from ...core.errors import UnderstudyError
 from ...core.project import Project
+from ...core.storage import file_is_there
 from ...engine.scenarios import open_scenario
 from ...sim.scenario import Scenario
 from ..actions import ActionRow
@@ -198,7 +199,7 @@ class Files(QObject):
     def _offer(self, kept: Autosave) -> None:
         folder = kept.folder
         openable: Callable[[], object] = partial(self.recover, kept)
-        if folder is not None and (folder / "project.json").is_file():
+        if folder is not None and file_is_there(folder / "project.json"):
             openable = partial(self.open, folder, recover=True)
         name = f"{kept.name or 'a project'}{'' if folder is None else f' in {folder}'}"
         text = f"Understudy ended without saving {name}; it was autosaved at {clock(kept.at)}"

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ...core.amounts import counted
 from ...core.errors import UnderstudyError
 from ...core.project import Project
-from ...core.storage import FilesError, load
+from ...core.storage import FilesError, file_is_there, load
 from ...engine.scenarios import OWN_CODE, brings_code, open_scenario
 from ...sim.scenario import Scenario
 from ..message import Kind, Message
@@ -82,7 +82,7 @@ def look(folder: Path, state: Path, owner: Owner) -> Found:
     except UnderstudyError as found:
         error = found
     other, claimed, unclaimed = None, False, ""
-    if (folder / "project.json").exists():
+    if file_is_there(folder / "project.json"):
         try:
             other = claims.claim(private, owner)
             claimed = other is None

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMenu, QMenuBar
 
+from ...core.storage import file_is_there
 from ..letters import letters_of, marked
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class RecentMenu(QMenu):
         for folder, name, letter in zip(folders, names, letters_of(names), strict=True):
             action = self.addAction(marked(name, letter))
             action.setToolTip(str(folder))
-            action.setEnabled((folder / "project.json").exists())
+            action.setEnabled(file_is_there(folder / "project.json"))
             action.triggered.connect(lambda _=False, folder=folder: self._files.open(folder))
         if self.isEmpty():
             self.addAction("Nothing was open before").setEnabled(False)

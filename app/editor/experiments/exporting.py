@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...core.errors import StorageError, UnderstudyError
+from ...core.storage import file_is_there
 from ...core.storage.atomic import WriteError, change_files
 from ...engine.experiments.data import curves_csv, runs_csv
 from ...engine.experiments.report import Files, markdown
@@ -66,7 +67,7 @@ class Exporting:
     def _ask_for_curves(self, path: Path) -> None:
         """The dialog has asked whether one file may be replaced, but there are two."""
         beside = _curves_beside(path)
-        if path.exists() or not beside.exists():
+        if file_is_there(path) or not file_is_there(beside):
             self.write_data(path)
             return
         text = f"{beside} is there already, and the curves go there. What is in it would be gone."

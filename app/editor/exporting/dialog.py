@@ -24,6 +24,7 @@ from ...core.check import refuse
 from ...core.errors import StorageError, UnderstudyError
 from ...core.naming import slug
 from ...core.project import Project
+from ...core.storage import file_is_there
 from ...engine.scenarios import OWN_CODE, brings_code
 from ...export.bundle import bundle_of_arm, bundle_of_behavior
 from ...export.library_file import FILE_ENDING, Exported, write
@@ -116,6 +117,7 @@ class ExportDialog(QDialog):
         self.buttons.accepted.connect(self.export)
         self.buttons.rejected.connect(self.reject)
         self.what.currentIndexChanged.connect(lambda _: self._propose())
+        self.path.textChanged.connect(lambda _: self.trouble.say(""))  # it was about another file
         self.finished.connect(lambda _: self._background.close())
         self._lay_out()
         self._propose()
@@ -188,7 +190,7 @@ class ExportDialog(QDialog):
             )
             return
         project, scenario, folder = document.project, document.scenario, document.folder
-        if path.is_file() and path != self._replaced:
+        if file_is_there(path) and path != self._replaced:
             self._ask_for(path)
             return
         examples = self.examples.isChecked()

@@ -167,6 +167,16 @@ def test_recent_projects_are_in_the_file_menu(desk: MainWindow, qtbot: QtBot, fo
     qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
 
 
+def test_recent_projects_where_nobody_may_look_any_more_cannot_be_chosen(
+    desk: MainWindow, qtbot: QtBot, tmp_path: Path
+) -> None:
+    refused = tmp_path / ("n" * 300)
+    desk.studio.settings.remember(refused)
+    assert not desk.welcome.recent[refused].isEnabled()
+    desk.recent.aboutToShow.emit()
+    assert [action.isEnabled() for action in desk.recent.actions()] == [False]
+
+
 def test_recent_projects_of_one_name_are_told_apart_and_the_one_that_is_open_is_left_out(
     desk: MainWindow, qtbot: QtBot, folder: Path, tmp_path: Path
 ) -> None:

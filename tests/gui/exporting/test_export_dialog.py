@@ -97,7 +97,13 @@ def test_examples_come_along_where_that_is_ticked(
 
 
 @pytest.mark.parametrize(
-    ("name", "message"), [("out.txt", "end with .json"), ("nowhere/out.json", "there is no folder")]
+    ("name", "message"),
+    [
+        ("out.txt", "end with .json"),
+        ("nowhere/out.json", "there is no folder"),
+        (f"{'n' * 300}/out.json", "the name is too long"),
+        (f"{'n' * 300}.json", "the name is too long"),
+    ],
 )
 def test_what_is_wrong_is_said_in_the_dialog(
     dialog: ExportDialog, qtbot: QtBot, tmp_path: Path, name: str, message: str
@@ -105,4 +111,6 @@ def test_what_is_wrong_is_said_in_the_dialog(
     write_to(dialog, tmp_path / name, qtbot)
     press_ok(dialog, qtbot)
     qtbot.waitUntil(lambda: message in dialog.trouble.text(), timeout=PATIENCE)
+    qtbot.keyClicks(dialog.path, "x")
+    assert dialog.trouble.text() == ""  # it was about another file
     dialog.reject()
