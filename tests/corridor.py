@@ -4,6 +4,7 @@ Agent number k begins at place 10 k; a lamp stands at place 50.
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from app.core.automaton import START, Automaton, Rule
 from app.core.chance import uniform
@@ -219,7 +220,7 @@ def command() -> Automaton:
     return automaton("Command", state("lead", "Lead"), rules=(Rule("1", START, (), "lead"),))
 
 
-def project(*more: Automaton, **fields: object) -> Project:
+def project(*more: Automaton, **fields: Any) -> Project:
     """Two agents alone, two groups of two, and a squad of those."""
     agents = {a.id: a for a in (stroll(), signal(), shuttle(), seek(), *more)}
     libraries = {
@@ -233,7 +234,7 @@ def project(*more: Automaton, **fields: object) -> Project:
         Arm("squads", LevelTable((1, 2, 2), (SQUAD, GROUP, AGENT)), "Command"),
     )
     made = Project("Corridor", "corridor", TYPES, libraries=libraries, arms=arms)
-    return replace(made, **fields)  # type: ignore[arg-type]
+    return replace(made, **fields)
 
 
 def to(target: str) -> dict[str, Ground]:

@@ -5,6 +5,7 @@ Everything is made anew by each call; nothing here knows a world.
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from app.core.automaton import START, Automaton, Basic, Nested, Prune, RaiseFlag, Rule, Start, State
 from app.core.conditions import AtMost, Condition, Equals, Guard, InArc, Test
@@ -80,10 +81,10 @@ def when(*tests: Test) -> Guard:
     return tuple(Condition(test) for test in tests)
 
 
-def automaton(automaton_id: str, *states: State, **fields: object) -> Automaton:
+def automaton(automaton_id: str, *states: State, **fields: Any) -> Automaton:
     """An automaton called like its id; Start comes by itself, *fields* are those of `Automaton`."""
     start = State(START, Start(), "Start")
-    return Automaton(automaton_id, automaton_id, states=(start, *states), **fields)  # type: ignore[arg-type]
+    return Automaton(automaton_id, automaton_id, states=(start, *states), **fields)
 
 
 def wander() -> Automaton:

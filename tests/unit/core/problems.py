@@ -1,6 +1,7 @@
 """What is wrong with the sample project once something in it is another."""
 
 from dataclasses import replace
+from typing import Any
 
 from app.core.check import Problem, check
 from app.core.library import NodeType
@@ -31,7 +32,7 @@ def armed(arm: Arm) -> Project:
     return replace(project(), arms=(*project().arms, arm))
 
 
-def with_example(**fields: object) -> Project:
+def with_example(**fields: Any) -> Project:
     """The sample with the first example of goto changed in these fields."""
     first, *others = project().examples_of(AGENT, "goto")
-    return replace(project(), examples={AGENT: {"goto": (replace(first, **fields), *others)}})  # type: ignore[arg-type]
+    return replace(project(), examples={AGENT: {"goto": (replace(first, **fields), *others)}})

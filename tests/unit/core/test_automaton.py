@@ -1,3 +1,5 @@
+from typing import Any
+
 import pytest
 
 from app.core.automaton import START, Automaton, Prune, Refit, Rule, predicted, reachable, trimmed
@@ -10,9 +12,9 @@ from tests.samples import automaton, flag, forage, nested, state
 A, B, C, D = (state(name, "Forward") for name in "abcd")
 
 
-def entered(*listed: object, **fields: object) -> str:
+def entered(*listed: Any, **fields: Any) -> str:
     """The states that can be entered, besides Start."""
-    found = reachable(automaton("x", A, B, C, D, rules=rules(*listed), **fields))  # type: ignore[arg-type]
+    found = reachable(automaton("x", A, B, C, D, rules=rules(*listed), **fields))
     assert START in found
     return "".join(sorted(found - {START}))
 

@@ -1,6 +1,7 @@
 """What is wrong with demonstrations and examples."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -17,8 +18,8 @@ from tests.unit.core.problems import errors, only, typed, with_example
 # ------------------------------------------------------------------------------------ demonstrations
 
 
-def shown(**fields: object) -> Project:
-    demonstration = replace(project().demonstrations[0], **fields)  # type: ignore[arg-type]
+def shown(**fields: Any) -> Project:
+    demonstration = replace(project().demonstrations[0], **fields)
     return replace(project(), demonstrations=(demonstration,))
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -40,8 +41,8 @@ def automaton(project: Project) -> Automaton:
     return project.library(WHERE[0]).get(WHERE[1])
 
 
-def with_arm(project: Project, **fields: object) -> Project:
-    first = replace(project.arms[0], **fields)  # type: ignore[arg-type]
+def with_arm(project: Project, **fields: Any) -> Project:
+    first = replace(project.arms[0], **fields)
     return replace(project, arms=(first, *project.arms[1:]))
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -29,8 +30,8 @@ DRAFT = Draft(
 )
 
 
-def made(**changed: object) -> Experiment:
-    return drafted(replace(DRAFT, **changed), None, PROJECT, scenario)  # type: ignore[arg-type]
+def made(**changed: Any) -> Experiment:
+    return drafted(replace(DRAFT, **changed), None, PROJECT, scenario)
 
 
 def test_a_grid_of_parameters_gives_a_cell_for_every_arm_and_value() -> None:

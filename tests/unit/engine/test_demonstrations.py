@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,9 +22,9 @@ from tests.samples import AGENT, GROUP
 ROOT = Path(__file__).parents[3]
 
 
-def shuttle(*picks: Pick, ticks: int = 20, **fields: object) -> Demonstration:
+def shuttle(*picks: Pick, ticks: int = 20, **fields: Any) -> Demonstration:
     made = Demonstration("shuttle-1", AGENT, "Shuttle", "alone", 1, picks, ticks)
-    return replace(made, **fields)  # type: ignore[arg-type]
+    return replace(made, **fields)
 
 
 def taught(made: Project, automaton: str = "Shuttle", type_name: str = AGENT) -> list[str]:

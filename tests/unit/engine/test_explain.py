@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -78,14 +79,14 @@ def told(
     return project, Watched("agent-1", (level,), {})
 
 
-def sentence(*args: object, **values: object) -> str:
-    project, watched = told(*args, **values)  # type: ignore[arg-type]
+def sentence(*args: Any, **values: Any) -> str:
+    project, watched = told(*args, **values)
     (reason,) = why(project, WORDS, watched)
     return reason.sentence
 
 
-def negation(to: str, *args: object, **values: object) -> str:
-    project, watched = told(*args, **values)  # type: ignore[arg-type]
+def negation(to: str, *args: Any, **values: Any) -> str:
+    project, watched = told(*args, **values)
     reason = why_not(project, WORDS, watched, to)
     assert reason is not None
     return reason.sentence

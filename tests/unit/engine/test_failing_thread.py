@@ -1,5 +1,7 @@
 """A thread whose session breaks, or cannot be made, is never dead with somebody waiting."""
 
+from typing import Any
+
 import pytest
 
 from app.core.errors import SessionError
@@ -96,9 +98,9 @@ def test_commands_after_one_that_broke_the_session_are_still_answered(start: Mak
 class Failing(Session):
     """A session of a corridor that breaks in tick 4."""
 
-    def __init__(self, *args: object, **kwargs: object) -> None:
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
         kwargs["settings"] = {"world.breaks": 4, **UNCOMPILED}
-        super().__init__(*args, **kwargs)  # type: ignore[arg-type]
+        super().__init__(*args, **kwargs)
 
 
 def test_a_scenario_that_fails_is_told_and_who_waits_hears_of_it(start: Make) -> None:

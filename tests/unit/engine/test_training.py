@@ -1,6 +1,7 @@
 """Training mode, sentence by sentence (paper, section 3.1)."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -15,9 +16,9 @@ from tests.driver import Driver
 from tests.samples import automaton, nested, state
 
 
-def lesson(**fields: object) -> Driver:
+def lesson(**fields: Any) -> Driver:
     """An agent that is taught to shuttle."""
-    return Driver().teach("agent-1", "Shuttle", **fields)  # type: ignore[arg-type]
+    return Driver().teach("agent-1", "Shuttle", **fields)
 
 
 # ------------------------------------------------------------------------------- what the nodes do meanwhile

@@ -1,6 +1,7 @@
 """What a hand does in a lesson can be kept as a demonstration, which records the same examples when it is played."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -32,8 +33,8 @@ SHUTTLE = (AGENT, "Shuttle")
 TOWARD = Basic("Toward", {"target": Ground("lamp")})
 
 
-def lesson(nodes: str | tuple[str, ...] = "agent-1", **fields: object) -> Driver:
-    return Driver().teach(nodes, "Shuttle", demonstration="shuttle-1", **fields)  # type: ignore[arg-type]
+def lesson(nodes: str | tuple[str, ...] = "agent-1", **fields: Any) -> Driver:
+    return Driver().teach(nodes, "Shuttle", demonstration="shuttle-1", **fields)
 
 
 def kept(driver: Driver) -> Demonstration:

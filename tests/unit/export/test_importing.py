@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -297,10 +298,10 @@ def test_an_arm_with_nodes_where_the_project_does_not_allow_them_is_refused() ->
         bring(replace(empty(), types=types), foraging, source, with_arm=True)
 
 
-def broken(source: Project, **fields: object) -> Project:
+def broken(source: Project, **fields: Any) -> Project:
     """*source*, where Forage of the agents has other *fields*."""
     agents = source.libraries["agent"].automata
-    forage = replace(agents["forage"], **fields)  # type: ignore[arg-type]
+    forage = replace(agents["forage"], **fields)
     return replace(source, libraries={**source.libraries, "agent": Library({**agents, "forage": forage})})
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import nan
+from typing import Any
 
 import pytest
 
@@ -40,8 +41,8 @@ def with_goto(automaton: Automaton | None = None, examples: tuple[Example, ...] 
     return project if examples is None else replace(project, examples={AGENT: {"goto": examples}})
 
 
-def settings(**fields: object) -> Automaton:
-    return replace(samples.goto(), settings=Settings(**fields))  # type: ignore[arg-type]
+def settings(**fields: Any) -> Automaton:
+    return replace(samples.goto(), settings=Settings(**fields))
 
 
 def goto_of(project: Project) -> Automaton:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -97,9 +98,9 @@ def _learned(model: Tree | Forest) -> Change:
     return lambda automaton: replace(automaton, learned={"forward": model})
 
 
-def _rule(**fields: object) -> Change:
+def _rule(**fields: Any) -> Change:
     rule = Rule("bad", START, (), "forward", 0.5)
-    return lambda automaton: replace(automaton, rules=(replace(rule, **fields), *automaton.rules))  # type: ignore[arg-type]
+    return lambda automaton: replace(automaton, rules=(replace(rule, **fields), *automaton.rules))
 
 
 def _open(automaton: Automaton) -> Automaton:

@@ -1,6 +1,7 @@
 """What the examples table says of each example."""
 
 from dataclasses import replace
+from typing import Any
 
 from app.core.automaton import Automaton, Basic, Refit, State
 from app.core.conditions import AtMost
@@ -24,8 +25,8 @@ def verdict_on(*examples: Example) -> list[Verdict]:
     return [judged.verdicts[example.id] for example in examples]
 
 
-def example(number: int, label: str, value: float, source: str = "go", **more: object) -> Example:
-    return Example(str(number), source, label, {"f": value}, **more)  # type: ignore[arg-type]
+def example(number: int, label: str, value: float, source: str = "go", **more: Any) -> Example:
+    return Example(str(number), source, label, {"f": value}, **more)
 
 
 def test_an_example_agrees_where_the_tree_would_do_what_it_says() -> None:
