@@ -8,7 +8,8 @@ from app.core.features import FeatureUse, Ground, Operation, Sense, Source, Stat
 from app.core.vocabulary import Feature, FeatureKind, Phrases, Vocabulary
 from app.core.wording import Speech, condition_words, guard_words
 from tests import chase, samples
-from tests.unit.core.forager import DEPOSIT, EXPLAINED, FORAGER, FORAGING, above, arc, no, within, yes
+from tests.foragers import beyond, no, within, yes
+from tests.unit.core.all_features import DEPOSIT, EXPLAINED, FORAGER, FORAGING, arc
 
 # ------------------------------------------------------------------------------------------------ captions
 
@@ -21,10 +22,10 @@ from tests.unit.core.forager import DEPOSIT, EXPLAINED, FORAGER, FORAGING, above
         ((no("sees"),), "sees no box"),
         ((Condition(Equals("sees", 0.0)),), "sees no box"),
         ((within("away", 5.0),), "within 5 of deposit"),
-        ((above("box", 12.34567),), "farther than 12.3 from nearest visible box"),
-        ((above("away", 5.0), within("away", 12.0)), "between 5 and 12 from deposit"),
-        ((within("away", 12.0), within("away", 8.0), above("away", 5.0)), "between 5 and 8 from deposit"),
-        ((above("away", 5.0001), within("away", 5.0002)), "between 5.0001 and 5.0002 from deposit"),
+        ((beyond("box", 12.34567),), "farther than 12.3 from nearest visible box"),
+        ((beyond("away", 5.0), within("away", 12.0)), "between 5 and 12 from deposit"),
+        ((within("away", 12.0), within("away", 8.0), beyond("away", 5.0)), "between 5 and 8 from deposit"),
+        ((beyond("away", 5.0001), within("away", 5.0002)), "between 5.0001 and 5.0002 from deposit"),
         ((arc("toward", -180, 2.82e-15),), "deposit lies between -180 and 0 degrees"),
         ((arc("toward", -10, 10),), "deposit lies between -10 and 10 degrees"),
         ((arc("toward", -12.185033067, -12.185033067 + 1e-12),), "deposit lies between -12.2 and -12.2 degrees"),
@@ -34,11 +35,11 @@ from tests.unit.core.forager import DEPOSIT, EXPLAINED, FORAGER, FORAGING, above
         ((arc("toward", -90, 90), arc("toward", 0, 135)), "deposit lies between 0 and 90 degrees"),
         ((yes("done"),), "done"),
         ((no("done"),), "not done"),
-        ((above("ticks", 20.5),), "more than 20 ticks in this state"),
+        ((beyond("ticks", 20.5),), "more than 20 ticks in this state"),
         ((within("ticks", 1.0),), "at most 1 tick in this state"),
-        ((above("ticks", 180 * (1 - 1e-15)),), "at least 180 ticks in this state"),
+        ((beyond("ticks", 180 * (1 - 1e-15)),), "at least 180 ticks in this state"),
         ((within("ticks", 180 * (1 - 1e-15)),), "fewer than 180 ticks in this state"),
-        ((above("ticks", 2.5), within("ticks", 9.5)), "more than 2 ticks and at most 9 ticks in this state"),
+        ((beyond("ticks", 2.5), within("ticks", 9.5)), "more than 2 ticks and at most 9 ticks in this state"),
         ((yes("sees"), no("done")), "sees a box and not done"),
         ((yes("gone"),), "Gone is 1"),
         ((yes("nowhere"),), "nowhere is 1"),
@@ -51,11 +52,11 @@ def test_tests_of_a_forager(guard: Guard, words: str) -> None:
 @pytest.mark.parametrize(
     ("condition", "words"),
     [
-        (above("box", 999.9999), "there is no nearest visible box"),
+        (beyond("box", 999.9999), "there is no nearest visible box"),
         (within("box", 999.9999), "there is a nearest visible box"),
-        (above("box", 504.4), "there is no nearest visible box within 504"),
+        (beyond("box", 504.4), "there is no nearest visible box within 504"),
         (within("box", 504.4), "there is a nearest visible box within 504"),
-        (above("x", 999.9999), "there is no X"),
+        (beyond("x", 999.9999), "there is no X"),
         (within("x", 999.9999), "there is an X"),
     ],
 )
@@ -64,12 +65,12 @@ def test_a_bound_near_the_default_tells_whether_there_is_a_target(condition: Con
 
 
 def test_a_target_that_is_far_but_there_is_told_without_the_default() -> None:
-    guard = (above("box", 4.5), within("box", 999.9999))
+    guard = (beyond("box", 4.5), within("box", 999.9999))
     assert guard_words(guard, FORAGER, FORAGING) == "farther than 4.5 from nearest visible box"
 
 
 def test_where_there_is_no_target_nothing_else_is_told_of_it() -> None:
-    guard = (arc("ahead", -10, 10), above("box", 999.9999), yes("sees"))
+    guard = (arc("ahead", -10, 10), beyond("box", 999.9999), yes("sees"))
     assert guard_words(guard, FORAGER, FORAGING) == "there is no nearest visible box and sees a box"
 
 
@@ -81,7 +82,7 @@ def test_arcs_that_overlap_in_two_are_told_one_by_one() -> None:
 
 
 def test_tests_that_no_value_passes_are_told_one_by_one() -> None:
-    guard = (above("away", 9.0), within("away", 5.0), yes("sees"), no("sees"))
+    guard = (beyond("away", 9.0), within("away", 5.0), yes("sees"), no("sees"))
     assert guard_words(guard, FORAGER, FORAGING) == (
         "farther than 9 from deposit and within 5 of deposit and sees a box and sees no box"
     )
@@ -96,19 +97,19 @@ def test_tests_that_no_value_passes_are_told_one_by_one() -> None:
         (yes("all"), "everyone is attached to a box"),
         (no("all"), "not everyone is attached to a box"),
         (yes("full one"), "the box of someone is full"),
-        (above("count", 2.5), "3 or more agents see a box"),
+        (beyond("count", 2.5), "3 or more agents see a box"),
         (within("count", 1.5), "at most 1 agent sees a box"),
-        (above("count", 0.5), "someone sees a box"),
+        (beyond("count", 0.5), "someone sees a box"),
         (within("count", 0.5), "nobody sees a box"),
         (yes("direct"), "a subsidiary has finished"),
         (no("direct"), "no subsidiary has finished"),
         (no("all done"), "not every subsidiary is done"),
         (within("mean", 5.0), "the agents on average are within 5 of deposit"),
-        (above("share", 0.5), "more than 50% of the agents see a box"),
+        (beyond("share", 0.5), "more than 50% of the agents see a box"),
         (within("min", 5.0), "someone is within 5 of deposit"),
-        (above("min", 5.0), "everyone is farther than 5 from deposit"),
+        (beyond("min", 5.0), "everyone is farther than 5 from deposit"),
         (within("max", 5.0), "everyone is within 5 of deposit"),
-        (above("max", 5.0), "someone is farther than 5 from deposit"),
+        (beyond("max", 5.0), "someone is farther than 5 from deposit"),
     ],
 )
 def test_tests_of_a_controller(condition: Condition, words: str) -> None:
@@ -118,14 +119,14 @@ def test_tests_of_a_controller(condition: Condition, words: str) -> None:
 @pytest.mark.parametrize(
     ("guard", "words"),
     [
-        ((above("count", 1.5), within("count", 4.5)), "2 to 4 agents see a box"),
-        ((above("count", 2.5), within("count", 3.5)), "3 agents see a box"),
+        ((beyond("count", 1.5), within("count", 4.5)), "2 to 4 agents see a box"),
+        ((beyond("count", 2.5), within("count", 3.5)), "3 agents see a box"),
         (
-            (above("min", 2.0), within("min", 5.0)),
+            (beyond("min", 2.0), within("min", 5.0)),
             "everyone is farther than 2 from deposit and someone is within 5 of deposit",
         ),
         (
-            (above("share", 0.25), within("share", 0.5)),
+            (beyond("share", 0.25), within("share", 0.5)),
             "more than 25% and at most 50% of the agents see a box",
         ),
     ],
@@ -149,7 +150,7 @@ def test_ranges_of_a_controller(guard: Guard, words: str) -> None:
         ((yes("done"),), "Goto is done"),
         ((no("failed"),), "Goto has not failed"),
         ((yes("odd"),), "Goto has raised odd"),
-        ((above("ticks", 20.5),), "it has been in Goto for more than 20 ticks"),
+        ((beyond("ticks", 20.5),), "it has been in Goto for more than 20 ticks"),
         ((no("any"),), "nobody in Group 3 is attached to a box"),
         ((yes("direct"),), "a subsidiary of Group 3 has finished"),
         ((yes("help"),), "someone needs help"),
@@ -168,12 +169,12 @@ def test_clauses_of_an_explanation(guard: Guard, words: str) -> None:
         (Sense("SeesABox"), yes("f"), "SeesABox"),
         (Sense("SeesABox"), no("f"), "not SeesABox"),
         (Sense("DistanceTo", DEPOSIT), within("f", 2.0), "DistanceTo(deposit) is at most 2"),
-        (Sense("DistanceTo", DEPOSIT), above("f", 2.0), "DistanceTo(deposit) is above 2"),
+        (Sense("DistanceTo", DEPOSIT), beyond("f", 2.0), "DistanceTo(deposit) is above 2"),
         (Sense("DirectionTo", DEPOSIT), arc("f", -10, 10), "DirectionTo(deposit) is between -10 and 10 degrees"),
         (Sense("Ground"), Condition(Equals("f", 1.0)), "Ground is sand"),
         (Sense("Ground"), Condition(Equals("f", 1.0), wanted=False), "Ground is not sand"),
         (Statistic(Operation.ANY, Sense("SeesABox")), yes("f"), "any SeesABox"),
-        (Statistic(Operation.COUNT, Sense("Ground")), above("f", 2.5), "count Ground is above 2.5"),
+        (Statistic(Operation.COUNT, Sense("Ground")), beyond("f", 2.5), "count Ground is above 2.5"),
     ],
 )  # fmt: skip
 def test_without_phrases_the_features_name_tells(source: Source, condition: Condition, words: str) -> None:
@@ -225,6 +226,6 @@ def test_any_phrase_can_be_told(phrase: str) -> None:
     )
     vocabulary = Vocabulary(features={"F": feature})
     made = Automaton("a", "A", features=(FeatureUse("f", Sense("F")),))
-    for condition in (within("f", 2.0), above("f", 2.0), yes("f")):
+    for condition in (within("f", 2.0), beyond("f", 2.0), yes("f")):
         for speech in (Speech(), EXPLAINED):
             assert "F is" in condition_words(condition, made, vocabulary, speech)

@@ -27,8 +27,9 @@ from app.core.wording import (
 )
 from app.engine.deciding import leaves
 from tests import samples
+from tests.foragers import no, yes
 from tests.samples import automaton, nested, state
-from tests.unit.core.forager import DEPOSIT, EXPLAINED, FORAGER, FORAGING, no, yes
+from tests.unit.core.all_features import DEPOSIT, EXPLAINED, FORAGER, FORAGING
 
 # ------------------------------------------------------------------------------------------------- values
 

@@ -1,9 +1,9 @@
-"""A forager that looks at all there is, and tests of what it sees, in short."""
+"""A forager that looks at all there is to be put into words, and tests of directions in degrees."""
 
 from math import pi
 
 from app.core.automaton import Automaton
-from app.core.conditions import AtMost, Condition, Equals, InArc
+from app.core.conditions import Condition, InArc
 from app.core.features import (
     FeatureUse,
     FlagUp,
@@ -52,22 +52,6 @@ SOURCES: dict[str, Source] = {
     "gone": Sense("Gone"),
 }
 FORAGER = Automaton("f", "F", features=tuple(FeatureUse(i, source) for i, source in SOURCES.items()))
-
-
-def yes(feature: str) -> Condition:
-    return Condition(Equals(feature, 1.0))
-
-
-def no(feature: str) -> Condition:
-    return Condition(Equals(feature, 1.0), wanted=False)
-
-
-def within(feature: str, threshold: float) -> Condition:
-    return Condition(AtMost(feature, threshold))
-
-
-def above(feature: str, threshold: float) -> Condition:
-    return Condition(AtMost(feature, threshold), wanted=False)
 
 
 def arc(feature: str, start: float, end: float, *, wanted: bool = True) -> Condition:
