@@ -23,29 +23,24 @@ from ...core.automaton import Cut, Refit
 from ...core.conditions import AtMost, InArc
 from ...core.cuts import with_cuts
 from ...core.phrasing import number
-from ...core.remembered import Remembered
-from ...core.tree import Forest, Tree
 from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
-from ..diagram.label_colors import state_colors
 from ..number_box import roomy
 from ..soon import Later, Soon
 from .menus import node_menu
 from .previewing import Previewing
 from .pruning import Pruning
-from .reaching import Reaching
 from .rows import tree_rows
 from .rules import RuleList
 from .scene import TreeScene
 from .shape import Key, lit
 from .subject import Subject
+from .subjects import Subjects
 from .tools import Tools
 from .view import TreeView
 from .words import treeless_words
 
 if TYPE_CHECKING:
-    from ...core.examples import Example
-    from ...core.features import FeatureUse
     from ..studio import Studio
 
 #: Milliseconds between two looks at what the selected node sees.
@@ -76,7 +71,7 @@ class TreePanel(QWidget):
         self.subject: Subject | None = None
         self._shown: tuple[object, ...] = ()
         self._place: tuple[object, ...] = ()
-        self._reaching: Remembered[str, Reaching] = Remembered()
+        self._subjects = Subjects(studio)
         self.scene = TreeScene(studio.theme)
         self.view = TreeView(self.scene, studio.theme)
         self.view.setMinimumHeight(LOWEST)
@@ -176,55 +171,19 @@ class TreePanel(QWidget):
 
     def refresh(self) -> None:
         """Show everything as it is now."""
-        selection, project = self.studio.selection, self.studio.document.project
-        key = selection.behavior
-        automaton = None if key is None else self.studio.document.automaton(key.type, key.id)
-        if key is None or automaton is None:
-            made_of: tuple[object, ...] = ("",)
-        else:
-            library, examples = project.library(key.type), project.examples_of(key.type, key.id)
-            made_of = (key, selection.state, automaton, library, examples, self.which.value())
+        made_of = (*self._subjects.made_of(), self.which.value())
         if len(made_of) == len(self._shown) and all(
             _same(a, b) for a, b in zip(made_of, self._shown, strict=True)
         ):
             return
         other = made_of[:2] != self._place
         self._shown, self._place = made_of, made_of[:2]
-        self._show(self._made_subject(), other=other)
+        self._show(self._subject(), other=other)
 
-    def _made_subject(self) -> Subject | None:
-        selection, document = self.studio.selection, self.studio.document
-        key = selection.behavior
-        automaton = None if key is None else document.automaton(key.type, key.id)
-        if key is None or automaton is None or not automaton.has_state(selection.state):
-            return None
-        model = automaton.learned.get(selection.state)
+    def _subject(self) -> Subject | None:
         with QSignalBlocker(self.which):
-            self.which.setRange(1, len(model.trees) if isinstance(model, Forest) else 1)
-        tree = model if isinstance(model, Tree) else None
-        if isinstance(model, Forest):
-            tree = model.trees[self.which.value() - 1]
-        return Subject(
-            key.type,
-            automaton,
-            selection.state,
-            document.project.library(key.type),
-            document.scenario.vocabulary,
-            tree,
-            self._examples(
-                automaton.features, document.project.examples_of(key.type, key.id), selection.state
-            ),
-            state_colors(automaton, key.type, self.studio.colors, self.studio.theme),
-        )
-
-    def _examples(
-        self, features: tuple[FeatureUse, ...], examples: tuple[Example, ...], state: str
-    ) -> Reaching:
-        """The examples as arrays, made once for the state that is shown."""
-        self._reaching.keep({state})
-        return self._reaching.of(
-            state, (features, examples), lambda: Reaching(examples, state, [use.id for use in features])
-        )
+            self.which.setRange(1, self._subjects.trees())
+        return self._subjects.selected(self.which.value())
 
     def _show(self, subject: Subject | None, *, other: bool) -> None:
         self.subject = subject
