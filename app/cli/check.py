@@ -63,7 +63,9 @@ def judge(folder: Path, *, trust: bool) -> Verdict:
         project = load_folder(folder)
     except FilesError as error:
         problems = [Complaint(p.file, p.where, p.message) for p in error.problems]
-        return Verdict(tuple(problems), "names and bindings: the files have to be readable first")
+        return Verdict(
+            tuple(problems), "names, bindings and experiments: the files have to be readable first"
+        )
     try:
         scenario = open_scenario(project, folder, trust=trust)
     except TrustError:

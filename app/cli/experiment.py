@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..core.check import refuse
 from ..core.errors import ParameterError
-from ..core.storage import readable
+from ..core.storage import FilesError, readable
 from ..core.storage.atomic import WriteError, change_files
 from ..editor.drawing.experiment_chart import chart_of
 from ..editor.drawing.figures import FigureError, draw
@@ -30,7 +30,7 @@ from ..engine.experiments.runner import Controls, carry_out
 from ..engine.experiments.store import Results, ResultsError
 from ..engine.interrupts import noted_interrupts
 from .console import PROGRAM, progress, say, show, show_json, show_table
-from .exits import DONE, FELL_SHORT, INTERRUPTED
+from .exits import DONE, FELL_SHORT, INTERRUPTED, WRONG_INPUT
 from .opening import Opened, open_project
 from .staleness import warn_of_stale
 from .wording import counted
@@ -80,18 +80,24 @@ def run_experiment(request: Request, *, as_json: bool) -> int:
 
 
 def _show_experiments(opened: Opened, *, as_json: bool) -> int:
-    """List what can be run."""
+    """List what can be run, and say what is wrong with the others."""
     names = experiments_in(opened.folder)
     if as_json:
         show_json({"project": opened.project.name, "experiments": names})
         return DONE
     if not names:
         raise ParameterError(f"{opened.folder / FOLDER} holds no experiments; each is a file NAME.json there")
-    rows = [
-        [name, load_experiment(opened.folder, name, opened.project, opened.scenario).title] for name in names
-    ]
+    rows, wrong = [], []
+    for name in names:
+        try:
+            found = load_experiment(opened.folder, name, opened.project, opened.scenario)
+            rows.append([name, found.title])
+        except FilesError as error:
+            wrong.append(str(error))
     show_table(["experiment", "what it compares"], rows, words=2)
-    return DONE
+    for message in wrong:
+        say(message)
+    return WRONG_INPUT if wrong else DONE
 
 
 def _asked_for(request: Request, opened: Opened, name: str) -> Experiment:

@@ -91,7 +91,7 @@ def test_damaged_files_are_named(
     found = problems(damaged(folder, file, text), capsys)
     assert {problem["file"] for problem in found} == {file}
     assert main(["check", str(folder)]) == 2
-    assert "not checked: names and bindings" in capsys.readouterr().out
+    assert "not checked: names, bindings and experiments" in capsys.readouterr().out
 
 
 def test_a_project_of_a_newer_schema_is_refused_with_what_to_do(

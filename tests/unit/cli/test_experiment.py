@@ -37,6 +37,16 @@ def test_without_a_name_the_experiments_are_listed(folder: Path, capsys: pytest.
     assert json.loads(capsys.readouterr().out)["experiments"] == ["small"]
 
 
+def test_a_damaged_experiment_does_not_hide_the_others(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "experiments" / "broken.json").write_text("{", encoding="utf-8")
+    assert main(["experiment", str(folder)]) == 2
+    said, told = capsys.readouterr()
+    assert "small        Small" in said
+    assert "broken.json: line 1, column 2: the file ends too early" in told
+
+
 def test_one_json_document_tells_all_and_where_the_files_are(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
