@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBox
 
 from ...core.amounts import counted
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
+from ...engine.snapshots import Mode
 from ...engine.turns import AFTER_EDITS
 from ...engine.worker import Worker
 from ..forms.nothing import NothingFound
@@ -39,7 +40,9 @@ _ICONS = {
 #: Milliseconds without another change before examples are judged: ten thousand take a while, and what is shown goes first.
 PATIENCE = 120
 NOTHING_FOUND = "No example passes the filters. Show all takes them away."
+NOBODY = "Choose a behavior in the library, or make one there, to see what it was shown."
 EMPTY = "No examples yet. Choose an agent, press Teach, and pick what it is to do: each pick is an example."
+TAUGHT = "No examples yet. Pick in the panel Teach what it is to do: each pick is an example."
 
 
 class ExamplesPanel(QWidget):
@@ -61,7 +64,7 @@ class ExamplesPanel(QWidget):
         self._worker = Worker(
             AFTER_EDITS.taken(judge), lambda matter, _: Judged(matter, {}), self._judged.emit, "judge"
         )
-        self._empty = QLabel(EMPTY)
+        self._empty = QLabel(NOBODY)
         self._empty.setProperty("role", "empty")
         self._empty.setWordWrap(True)
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -101,6 +104,7 @@ class ExamplesPanel(QWidget):
         self.table.customContextMenuRequested.connect(self._menu)
         studio.selection.examples_changed.connect(self._show_selected)
         studio.theme.changed.connect(self._dress)
+        studio.bridge.mode_changed.connect(self._say_what_to_do)
         self.filters.changed.connect(self._filter)
         self.model.edited.connect(self._edit)
         self._judged.connect(self._take_verdicts)
@@ -131,10 +135,18 @@ class ExamplesPanel(QWidget):
         self.model.show(subject, examples, self.filters.passes())
         self._selecting = False
         self._pages.setCurrentIndex(1 if examples else 0)
+        self._say_what_to_do()
         self._say_counts()
         self._matter = None if subject is None else Matter(subject.automaton, examples)
         if not self._closed:
             self._judge_soon.start()
+
+    def _say_what_to_do(self) -> None:
+        """Where there is nothing to show, say what is to be done first."""
+        if self._shown[0] is None:
+            self._empty.setText(NOBODY)
+        else:
+            self._empty.setText(TAUGHT if self._studio.mode is Mode.TEACHING else EMPTY)
 
     def _changed(self) -> None:
         """Judge no more what may not be shown any more, and show soon what is."""

@@ -2,10 +2,10 @@
 
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
-from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QInputDialog, QMenu
+from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QInputDialog, QLabel, QMenu
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import disable_examples, relabel_examples, set_values, weight_examples
+from app.core.edits import add_automaton, disable_examples, relabel_examples, set_values, weight_examples
 from app.core.examples import Example
 from app.editor.examples.model import Column, ExamplesModel, Index
 from app.editor.examples.panel import ExamplesPanel
@@ -55,6 +55,24 @@ def double_click(qtbot: QtBot, panel: ExamplesPanel, row: int, column: Column) -
     at, left = place(panel, row, column), Qt.MouseButton.LeftButton
     qtbot.mouseClick(panel.table.viewport(), left, pos=at)
     qtbot.mouseDClick(panel.table.viewport(), left, pos=at)
+
+
+def test_where_there_are_none_it_is_said_what_to_do_first(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    studio = window.studio
+
+    def said() -> str:
+        shown = [label.text() for label in panel.findChildren(QLabel) if label.isVisibleTo(window)]
+        return next((text for text in shown if text.endswith(".")), "")
+
+    studio.selection.select_behavior(None)
+    qtbot.waitUntil(lambda: said().startswith("Choose a behavior in the library"), timeout=PATIENCE)
+    new = studio.document.do(add_automaton, "agent", "Dance")
+    studio.selection.select_behavior(BehaviorKey("agent", new))
+    qtbot.waitUntil(lambda: said().startswith("No examples yet. Choose an agent, press"), timeout=PATIENCE)
+    studio.actions["teach.teach"].trigger()
+    qtbot.waitUntil(lambda: said().startswith("No examples yet. Pick in the panel Teach"), timeout=PATIENCE)
 
 
 def test_each_example_is_told_in_words(panel: ExamplesPanel) -> None:
