@@ -116,8 +116,8 @@ def _not_told_apart(subject: Subject, examples: tuple[Example, ...]) -> Iterator
         if len(labels) > 1:
             choices = " or ".join(shown_state(automaton, label, library) for label in labels)
             message = (
-                f"{automaton.name} looks at nothing, so chance decides in {shown_state(automaton, source, library)}: {choices}; "
-                "its settings say, under Features, what it may look at, also after it was taught"
+                f"{automaton.name} looks at nothing (its settings say, under Features, what it may look at, also after it was "
+                f"taught), so chance decides in {shown_state(automaton, source, library)}: {choices}"
             )
             yield subject.warning("features", message)
             return
