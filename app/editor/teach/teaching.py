@@ -154,10 +154,16 @@ class Teaching(QObject):
         self._then_test = False
         self._teach()
 
+    def _make_one(self) -> None:
+        self._studio.actions["behavior.new"].trigger()
+
     def _teach(self) -> None:
         key = self._studio.selection.behavior
         if key is None or self._studio.document.automaton(key.type, key.id) is None:
-            self._studio.warn("choose a behavior to teach in the library, or make a new one there")
+            make_one = "New automaton…", lambda: self._studio.actions["behavior.new"].trigger()
+            self._studio.warn(
+                "choose a behavior to teach in the library, or make a new one there", (make_one,)
+            )
             return
         nodes = self._nodes_for(key)
         if not nodes:

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.project import Project
+from app.editor.library.new_automaton import NewAutomatonDialog
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import PATIENCE
@@ -34,6 +35,16 @@ def test_a_message_is_answered_and_dismissed_by_keys_alone(window: MainWindow, q
         assert done == answers
         assert not window.messages.isVisible()
         assert window.hasFocus()
+
+
+def test_who_would_teach_without_a_behavior_is_led_to_a_new_one(window: MainWindow, qtbot: QtBot) -> None:
+    window.studio.selection.select_behavior(None)
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    answer = next(b for b in window.messages.findChildren(QPushButton) if b.text() == "New automaton…")
+    qtbot.mouseClick(answer, Qt.MouseButton.LeftButton)
+    (dialog,) = (d for d in window.findChildren(NewAutomatonDialog) if d.isVisible())
+    dialog.reject()
+    assert not window.messages.isVisible()
 
 
 def test_what_can_be_done_about_a_project_is_not_offered_in_another_one(
