@@ -204,13 +204,14 @@ class _Title(QWidget):
         layout.addWidget(self.label)
 
 
-def place_docks(window: QMainWindow, studio: Studio) -> Iterator[Dock]:
-    """Make all panels and put their docks where they stand at first, one after another."""
+def place_docks(window: QMainWindow, studio: Studio) -> Iterator[Dock | None]:
+    """Make all panels and put their docks where they stand at first, one after another; None where one is but half done."""
     docks: dict[str, Dock] = {}
     window.setTabPosition(Area.AllDockWidgetAreas, QTabWidget.TabPosition.North)
     for row in DOCKS:
-        dock = Dock(row, row.make(studio))
-        docks[row.id] = dock
+        panel = row.make(studio)
+        yield None
+        dock = docks[row.id] = Dock(row, panel)
         window.addDockWidget(row.area, dock)
         if row.under:
             way = Qt.Orientation.Vertical

@@ -165,8 +165,9 @@ class MainWindow(QMainWindow):
 
     def _place_docks(self) -> Iterator[None]:
         for dock in place_docks(self, self.studio):
-            self.docks[dock.row.id] = dock
-            frame_views(dock.widget(), self.studio.theme)
+            if dock is not None:
+                self.docks[dock.row.id] = dock
+                frame_views(dock.widget(), self.studio.theme)
             yield
         for dock in self.docks.values():
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
