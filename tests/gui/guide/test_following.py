@@ -136,7 +136,7 @@ def test_what_is_to_be_watched_stays_until_it_was_read_however_fast_time_passes(
         qtbot.mouseClick(guide.skip, Qt.MouseButton.LeftButton)
     qtbot.keyClick(lesson, Qt.Key.Key_Space)
     faster(lesson, qtbot, 8.0)
-    wait_ticks(lesson, qtbot, 1_000)
+    wait_ticks(lesson, qtbot, 450)
     assert guide.title.text() == "Watch them"
     press_next(lesson, qtbot)
     at(lesson, qtbot, "Now foraging")

@@ -18,12 +18,18 @@ def soon(qapp: QApplication, done: list[str]) -> Soon:
     return Soon(qapp, lambda: done.append("it"))
 
 
+def until_done(soon: Soon) -> None:
+    """Have time for all that is due, in as many spells as it takes on a slow machine."""
+    while soon.is_due:
+        QCoreApplication.processEvents()
+
+
 def test_it_is_done_once_however_often_it_is_asked_for(soon: Soon, done: list[str]) -> None:
     for _ in range(3):
         soon.ask()
     assert (soon.is_due, done) == (True, [])
-    QCoreApplication.processEvents()
-    assert (soon.is_due, done) == (False, ["it"])
+    until_done(soon)
+    assert done == ["it"]
 
 
 def test_it_is_done_after_what_came_later_and_can_ask_for_it_too(soon: Soon, done: list[str]) -> None:
@@ -35,7 +41,7 @@ def test_it_is_done_after_what_came_later_and_can_ask_for_it_too(soon: Soon, don
     sender.sent.connect(soon.ask, Qt.ConnectionType.QueuedConnection)
     soon.ask()
     sender.sent.emit()
-    QCoreApplication.processEvents()
+    until_done(soon)
     assert done == ["other", "it"]
 
 
@@ -51,8 +57,7 @@ def test_after_a_spell_of_it_what_has_come_meanwhile_is_dealt_with_first(
     first = Soon(soon, sender.sent.emit)
     first.ask()
     soon.ask()
-    while soon.is_due:
-        QCoreApplication.processEvents()
+    until_done(soon)
     assert done == ["other", "it"]
 
 
@@ -99,12 +104,6 @@ def test_what_can_wait_is_done_once_after_its_time(qapp: QApplication, done: lis
     assert later.is_due
     qtbot.waitUntil(lambda: not later.is_due)
     assert done == ["it"]
-
-
-def until_done(later: Later) -> None:
-    """Have time for all that is due, in as many spells as it takes on a slow machine."""
-    while later.is_due:
-        QCoreApplication.processEvents()
 
 
 def test_no_key_waits_for_what_can_wait(qapp: QApplication, done: list[str]) -> None:
