@@ -160,7 +160,7 @@ class Teaching(QObject):
     def _teach(self) -> None:
         key = self._studio.selection.behavior
         if key is None or self._studio.document.automaton(key.type, key.id) is None:
-            make_one = "New automaton…", lambda: self._studio.actions["behavior.new"].trigger()
+            make_one = "New automaton…", self._make_one
             self._studio.warn(
                 "choose a behavior to teach in the library, or make a new one there", (make_one,)
             )
