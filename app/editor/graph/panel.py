@@ -297,9 +297,7 @@ class GraphPanel(QWidget):
     def _added(self, path: Path | None) -> None:
         if path is None:
             return
-        self.refresh()
-        self.scene.mark([path])
-        self.view.show_selected()
+        self._select([path])
         scope = self.scoping.scope(self.scene.levels[path[:-1]].type)
         if scope is not None and offers.slots_of(self.scene.states[path].state.content, scope):
             self.edit()
@@ -362,6 +360,8 @@ class GraphPanel(QWidget):
         if paths:
             self.refresh()
             self.scene.mark(paths)
+            self.view.show_selected()
+            self._reveals = not self.scene.is_settled
 
     def add_state_menu(self) -> None:
         """Offer all that a new state can hold."""

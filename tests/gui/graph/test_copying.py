@@ -65,6 +65,18 @@ def test_states_are_copied_into_another_automaton(author: Author, blank: Behavio
     ]
 
 
+def test_copies_are_in_sight_once_they_are_arranged(author: Author) -> None:
+    author.panel.resize(390, 380)
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_C, CTRL)
+    author.show(BehaviorKey("agent", "return-with-box"))
+    author.key(Qt.Key.Key_V, CTRL)
+    (copy,) = author.panel.scene.selected
+    box = author.panel.scene.states[copy]
+    seen = author.panel.view.mapFromScene(box.mapRectToScene(box.box)).boundingRect()
+    assert author.panel.view.viewport().rect().contains(seen)
+
+
 def test_what_copied_states_learned_comes_along_as_rules(author: Author, studio: Studio) -> None:
     top = studio.document.do(add_automaton, "agent", "Top")
     author.click(author.named("Wander"))
