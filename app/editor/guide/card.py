@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
@@ -265,7 +266,7 @@ class Guide(QFrame):
         snapshot, seen, step = self._studio.snapshot, self._seen(), STEPS[self.step]
         if step.done(seen):
             if not self._is_so_already:
-                self._go(self.step + 1)
+                self._go(self.step + (2 if self._is_ahead(seen) else 1))
             return
         if self._is_so_already:
             self._is_so_already = False
@@ -273,6 +274,11 @@ class Guide(QFrame):
         if snapshot is not None:
             step.prepares(self._studio)
             self._stop_in_time(snapshot, step.stops(seen))
+
+    def _is_ahead(self, seen: Seen) -> bool:
+        """Whether the user has picked what only the next step asks for."""
+        following = STEPS[self.step + 1 : self.step + 2]
+        return bool(seen.picked) and any(step.done(replace(seen, ticks=0)) for step in following)
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
         """Have time stop after *left* ticks, also where the window is late; None if it is to go on.

@@ -84,8 +84,9 @@ def _picked(state: str) -> Callable[[Seen], bool]:
     return lambda seen: seen.picked == state
 
 
-def _passed(ticks: int) -> Callable[[Seen], bool]:
-    return lambda seen: seen.ticks >= ticks
+def _passed_or_picked(ticks: int, state: str) -> Callable[[Seen], bool]:
+    """Who goes ahead of the lesson has done what was to come before."""
+    return lambda seen: seen.ticks >= ticks or seen.picked == state
 
 
 def _tests(seen: Seen) -> bool:
@@ -142,7 +143,7 @@ WANDERING: tuple[Step, ...] = (
         "Let it walk",
         "Press Space and let time pass for a while. Each pick is an example; keeping to it is one, too.",
         "action:run.play",
-        _passed(90),
+        _passed_or_picked(90, "rotate-left"),
     ),
     Step("Turn it left", "Now pick RotateLeft, while it walks.", "pick:RotateLeft", _picked("rotate-left")),
     Step(

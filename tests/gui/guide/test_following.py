@@ -45,6 +45,16 @@ def test_wander_is_taught_by_doing_what_the_lesson_says(lesson: MainWindow, qtbo
     at(window, qtbot, "Take an agent in hand")
 
 
+def test_who_goes_ahead_of_the_lesson_is_not_told_to_do_it_again(lesson: MainWindow, qtbot: QtBot) -> None:
+    qtbot.keyClick(lesson, Qt.Key.Key_T)
+    at(lesson, qtbot, "Send it ahead")
+    pick(lesson, qtbot, "Forward")
+    at(lesson, qtbot, "Let it walk")
+    press(lesson, qtbot, Qt.Key.Key_Period)
+    pick(lesson, qtbot, "RotateLeft")
+    at(lesson, qtbot, "And ahead again")
+
+
 def test_time_stops_where_either_turn_is_fine_so_that_agents_turn_by_chance(
     lesson: MainWindow, qtbot: QtBot
 ) -> None:
