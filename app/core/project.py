@@ -56,7 +56,7 @@ class Pick:
 
     Attributes:
         act: ``pick`` a state; ``answer`` with one, after which the node decides by itself again; ``should not have left``
-            the state just left; ``undo`` the last pick; ``test``; ``learn`` in the middle of a test; ``teach`` the node
+            the state just left; ``undo`` the last pick; ``redo`` it; ``test``; ``learn`` in the middle of a test; ``teach`` the node
             from this tick on (those of one tick together; the arm runs until then); or ``move`` an entity.
         state: For ``pick`` and ``answer``: the id of the state. Empty otherwise.
         entity, x, y: For ``move``: the number of the entity in its world, and where it is put. None otherwise.

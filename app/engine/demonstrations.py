@@ -17,7 +17,17 @@ from ..learner.builder import LearningCancelled
 from ..learner.trainer import apply, learn
 from ..sim.engines import REFERENCE
 from ..sim.scenario import Scenario
-from .commands import Command, MoveEntities, Others, ShouldNotHaveLeft, Teach, Test, UndoPick, UseProject
+from .commands import (
+    Command,
+    MoveEntities,
+    Others,
+    RedoPick,
+    ShouldNotHaveLeft,
+    Teach,
+    Test,
+    UndoPick,
+    UseProject,
+)
 from .commands import Pick as PickCommand
 from .session import Session
 from .snapshots import Refused
@@ -105,6 +115,8 @@ def _command(act: Pick, demonstration: Demonstration) -> Command | Learn:
             return ShouldNotHaveLeft(act.node)
         case "undo":
             return UndoPick()
+        case "redo":
+            return RedoPick()
         case "test":
             return Test()
         case "learn":
@@ -117,7 +129,7 @@ def _command(act: Pick, demonstration: Demonstration) -> Command | Learn:
             )
     raise SessionError(
         f"demonstration {demonstration.id!r}, tick {act.tick}: {act.act!r} is no act; allowed: pick, answer, should not have "
-        "left, undo, test, learn, teach, move"
+        "left, undo, redo, test, learn, teach, move"
     )
 
 

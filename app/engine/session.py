@@ -216,7 +216,7 @@ class Session(Course):
             self._answered.add(act.node)
             self._close_question()
         self._reconsider()
-        self._transcript.redo(self.tick, learning=self._will_test(lesson))
+        self._transcript.redo(self.tick, learning=self._will_test(lesson), waits=not act.done)
         self._tell_demonstrated()
 
     @_obey.register

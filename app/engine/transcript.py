@@ -12,17 +12,24 @@ from .commands import Teach
 WORLD = "world."
 #: Others that it may have: what it is played with in any case, or what changes nothing (None: whatever it is).
 PLAIN = {"physics": "kinematic", "engine": None}
+#: An act: what was taken back last is done again.
+REDO = "redo"
 AGAIN = "Reset the world (Ctrl+R) before the next lesson, and it can be kept"
 
 
 @dataclass(frozen=True, slots=True)
 class _Undone:
-    """A pick was taken back: the pick, if it was one of this transcript, and how that was written down, if it was."""
+    """A pick was taken back: the pick, if it was one of this transcript, and how that was written down, if it was.
+
+    Attributes:
+        at: Where the pick stood among the acts, if it was forgotten instead.
+    """
 
     pick: Pick | None
     written: Pick | None
     last: Pick | None
     tick: int
+    at: int
 
 
 class Transcript:
@@ -46,6 +53,7 @@ class Transcript:
         self._added: dict[str, State] = {}
         self._moves: dict[int, Sequence[Pick]] = {}
         self._undone: list[_Undone] = []
+        self._waits: Pick | None = None  # what was done again, but not carried out yet
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
         self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
@@ -97,10 +105,21 @@ class Transcript:
         self._undone = []
         if added is not None:
             self._added[added.id] = added
-        for old in [old for old in self._live if (old.node, old.tick) == (act.node, act.tick)]:
-            act = self._replaced(old, act)
+        for old in self._waiting(act, learning=learning):
+            if old.act != REDO:
+                act = self._replaced(old, act)
+            elif old is self._waits:
+                self.spoil(f"what was done again was replaced at once. {AGAIN}")
         self._insert(act, learning=learning)
         self._live.append(act)
+
+    def _waiting(self, act: Pick, *, learning: bool) -> list[Pick]:
+        """What was taught the same node and no tick has carried out: before a test, it never will be."""
+        acts = self._acts[:-1] if learning else self._acts  # the last is a test that has not begun
+        tests = [at for at, done in enumerate(acts) if done.act == "test"]
+        since = [id(done) for done in self._acts[tests[-1] + 1 if tests else 0 :]]
+        alike = [old for old in self._live if (old.node, old.tick) == (act.node, act.tick)]
+        return [old for old in alike if id(old) in since]
 
     def _replaced(self, old: Pick, act: Pick) -> Pick:
         """A second pick before the next tick replaces the first, which is as if it had never been.
@@ -126,27 +145,51 @@ class Transcript:
 
     def undo(self, tick: int, *, learning: bool = False) -> None:
         """The last pick was taken back; where no tick had carried it out, it is as if it had never been."""
-        pick, written = self._live[-1] if self._live else None, None
+        pick, written, at = self._live[-1] if self._live else None, None, 0
         if pick is not None and pick.tick == tick:
+            at = next((at for at, act in enumerate(self._acts) if act is pick), len(self._acts))
             self._forget(pick)
         else:
             written = Pick(tick, "", act="undo")
             self._insert(written, learning=learning)
             self._live = self._live[:-1]
-        self._undone.append(_Undone(pick, written, self._last, tick))
+        self._undone.append(_Undone(pick, written, self._last, tick, at))
 
-    def redo(self, tick: int, *, learning: bool = False) -> None:
-        """What was taken back last was done again; where nothing came between, it is as if it had never been taken back."""
+    def redo(self, tick: int, *, learning: bool = False, waits: bool = False) -> None:
+        """What was taken back last was done again; where nothing came between, it is as if it had never been taken back.
+
+        Args:
+            waits: No tick has carried it out yet.
+        """
         undone = self._undone.pop() if self._undone else None
-        if undone is None or undone.tick != tick or undone.last is not self._last:
+        if undone is not None and undone.tick == tick and undone.last is self._last:
+            self._never_undone(undone)
+        elif undone is None or undone.pick is None or self._is_tested:
             self.spoil(f"a pick that was taken back was done again later. {AGAIN}")
-            return
+        else:
+            self._done_again(undone, undone.pick, tick, learning=learning, waits=waits)
+
+    def _never_undone(self, undone: _Undone) -> None:
         if undone.written is not None:
             self._acts = [act for act in self._acts if act is not undone.written]
         elif undone.pick is not None:
-            self._insert(undone.pick, learning=learning)
+            self._acts.insert(undone.at, undone.pick)
         if undone.pick is not None:
             self._live.append(undone.pick)
+
+    def _done_again(self, undone: _Undone, pick: Pick, tick: int, *, learning: bool, waits: bool) -> None:
+        """It was done again later than it was taken back, so both are acts; one that was forgotten comes back as well."""
+        if undone.written is None:
+            self._acts[undone.at : undone.at] = pick, Pick(undone.tick, "", act="undo")
+        again = Pick(tick, pick.node, act=REDO)
+        self._insert(again, learning=learning)
+        self._live.append(again)
+        self._waits = again if waits else None
+
+    @property
+    def _is_tested(self) -> bool:
+        """Whether a test was begun: what is done again later changes what it had learned."""
+        return any(act.act == "test" for act in self._acts)
 
     @property
     def _last(self) -> Pick | None:

@@ -10,7 +10,7 @@ from ..project import Arm, Demonstration, LevelTable, Project
 from .problem import PROJECT_FILE, Problem, allowed, demonstration_file, place, twice
 
 #: What a hand can do, see `app.core.project.Pick`.
-ACTS = ("pick", "answer", "should not have left", "undo", "test", "learn", "teach", "move")
+ACTS = ("pick", "answer", "should not have left", "undo", "redo", "test", "learn", "teach", "move")
 #: What the nodes that are not taught can do meanwhile.
 OTHERS = ("idle", "run")
 

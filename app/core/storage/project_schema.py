@@ -77,7 +77,9 @@ class PickRecord(Record):
     tick: Count
     node: str = ""
     state: str = ""
-    act: Literal["pick", "answer", "should not have left", "undo", "test", "learn", "teach", "move"] = "pick"
+    act: Literal[
+        "pick", "answer", "should not have left", "undo", "redo", "test", "learn", "teach", "move"
+    ] = "pick"
     entity: Count | None = None
     x: FiniteFloat | None = None
     y: FiniteFloat | None = None

@@ -6,7 +6,7 @@ from app.core.project import Demonstration, Project
 from app.engine.commands import MoveEntities, Reset
 from app.engine.demonstrations import recreate
 from app.engine.snapshots import Mode
-from tests.gui.teach.hand import LEFT, Hand
+from tests.gui.teach.hand import CONTROL, LEFT, SHIFT, Hand
 
 WANDER = ("agent", "wander")
 
@@ -41,6 +41,25 @@ def test_a_lesson_in_the_window_is_played_again_without_it(hand: Hand) -> None:
     again = recreate(project(hand), hand.studio.document.scenario, [WANDER])
     assert again.examples_of(*WANDER) == hand.examples
     assert again.library("agent").get("wander").learned_from != ""
+
+
+def test_a_lesson_in_which_a_pick_was_done_again_later_than_it_was_taken_back_is_kept(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(4)
+    hand.pick("RotateLeft")
+    hand.hold(3)
+    hand.undo()
+    hand.hold(2)
+    hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
+    hand.settle()
+    hand.hold(2)
+    hand.pick("Forward")
+    hand.hold(2)
+    assert "no demonstration" not in hand.page.badge.text()
+    assert [act.act for act in newest(hand).picks] == ["teach", "pick", "pick", "undo", "redo", "pick"]
+    again = recreate(project(hand), hand.studio.document.scenario, [WANDER])
+    assert again.examples_of(*WANDER) == hand.examples
 
 
 def test_an_agent_that_was_dragged_in_a_lesson_is_dragged_again(hand: Hand) -> None:

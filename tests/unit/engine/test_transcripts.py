@@ -242,6 +242,69 @@ def test_a_move_that_is_undone_at_once_was_never_made_and_one_done_again_was() -
     check(driver)
 
 
+def test_a_pick_that_is_done_again_later_than_it_was_taken_back_is_kept_as_such() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").advance(3).undo().advance(2).redo().advance()
+    assert [act.split()[:2] for act in acts(driver)[-2:]] == [["7", "undo"], ["9", "redo"]]
+    check(driver)
+    driver.pick("up").advance(2)
+    check(driver)
+    driver.undo().undo().advance().redo().advance().redo().advance()
+    check(driver)
+
+
+def test_a_pick_that_was_taken_back_before_it_was_carried_out_and_done_again_later_is_kept() -> None:
+    driver = lesson().pick("up").advance(4).pick("down").undo().advance(3).redo().advance()
+    assert [act.split()[1] for act in acts(driver)[-3:]] == ["pick", "undo", "redo"]
+    check(driver)
+    driver = (
+        lesson()
+        .pick("up")
+        .advance(4)
+        .pick("down", "agent-1")
+        .undo()
+        .undo()
+        .advance(2)
+        .redo()
+        .redo()
+        .advance(2)
+    )
+    check(driver)
+
+
+def test_what_was_done_again_later_can_be_taken_back_again() -> None:
+    driver = lesson().pick("up").advance(2).pick("down").advance(2).undo().advance().redo().undo()
+    check(driver)
+    driver.advance().redo().advance(2).undo().advance()
+    check(driver)
+
+
+def test_a_pick_that_is_done_again_at_once_stands_before_what_was_moved_after_it() -> None:
+    driver = lesson().pick("up").send(MoveEntities({0: (9.0, 0.0)})).undo().redo().advance()
+    assert [act.split()[1] for act in acts(driver)] == ["teach", "pick"]  # the move came after the last pick
+    check(driver)
+    check(driver.pick("down").advance())
+
+
+def test_a_pick_before_a_test_is_not_replaced_by_one_at_the_same_tick_in_it() -> None:
+    driver = lesson().pick("up").advance(2).pick("down").test().pick("up").advance()
+    assert [act.split()[1] for act in acts(driver)][-3:] == ["pick", "test", "pick"]
+    check(driver)
+
+
+def test_once_it_is_tested_a_pick_that_is_done_again_later_is_not_kept_which_is_said() -> None:
+    driver = lesson().pick("up").advance(2).pick("down").advance(2).undo().advance().test().redo().pick("up")
+    assert "done again later" in driver.obstacle
+
+
+def test_what_was_done_again_later_is_followed_by_more() -> None:
+    driver = (
+        lesson().pick("up").advance(4).pick("down").advance(3).undo().advance(2).redo().pick("up").advance(3)
+    )
+    check(driver)
+    driver.test().advance(3)
+    check(driver)
+
+
 def test_several_that_were_moved_at_once_are_kept_as_moves_of_one_tick_and_undone_as_one() -> None:
     both = MoveEntities({0: (3.0, 0.0), 1: (9.0, 0.0)})
     driver = lesson().pick("up").advance(4).send(both).pick("down").advance()
@@ -268,7 +331,7 @@ def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
     ("spoil", "why"),
     [
         (lambda d: [d.send(MoveEntities({0: (40.0, 0.0)})).advance(), d.send(UndoMove(1))], "moved back"),
-        (lambda d: d.undo().advance().redo(), "done again later"),
+        (lambda d: d.pick("down").undo().advance().redo().pick("up"), "replaced at once"),
         (lambda d: d.reset(2), "begun again"),
         (lambda d: d.edit(note_state, *SHUTTLE, "up", "a note"), "behaviors were changed"),
         (lambda d: d.edit(disable_examples, *SHUTTLE, ["1"]), "examples were changed"),

@@ -92,7 +92,7 @@ CASES: dict[str, tuple[str, Change, str, str]] = {
     ),
     "content without a kind": (GOTO, drop("states", 1, "content", "kind"), "states[1].content", "the key 'kind' is missing; allowed: 'start', 'basic', 'automaton' or 'flag'"),
     "an unknown sampling": (GOTO, put("settings", "sampling", "max"), "settings.sampling", "must be 'sample', 'argmax' or 'hold', but found \"max\""),
-    "an unknown act": (SHOWN, put("picks", 0, "act", "poke"), "picks[0].act", "must be 'pick', 'answer', 'should not have left', 'undo', 'test', 'learn', 'teach' or 'move', but found \"poke\""),
+    "an unknown act": (SHOWN, put("picks", 0, "act", "poke"), "picks[0].act", "must be 'pick', 'answer', 'should not have left', 'undo', 'redo', 'test', 'learn', 'teach' or 'move', but found \"poke\""),
     "a binding to two things": (
         GOTO,
         put("features", 0, "source", "bindings", "target", "ground", "deposit"),
