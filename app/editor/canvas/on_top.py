@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from .hovering import Covers
 from .legend import Legend
 from .overlays import SIDE, Badge, Banner, CameraButtons, Notice
+from .words import badge_words
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -108,7 +109,9 @@ class OnTop:
         self.place()
 
     def tell(self, snapshot: Snapshot) -> None:
-        """Say what a snapshot has to tell of the world."""
+        """Say what a snapshot has to tell of the world, and of who is in training by now."""
+        if badge_words(self._studio) != self.badge.words:
+            self.refresh_badge()
         failed = snapshot.failure
         told = Notice(f"The world stands still: {failed}", True, "Reset", self._reset) if failed else None
         self.failure.show_notice(told)

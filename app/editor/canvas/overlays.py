@@ -52,11 +52,16 @@ class CameraButtons(QWidget):
 
 
 class Badge(QLabel):
-    """Says what the session is for: red while somebody is taught, in the accent color during a test."""
+    """Says what the session is for: red while somebody is taught, in the accent color during a test.
+
+    Attributes:
+        words: What it says; empty where nobody is taught.
+    """
 
     def __init__(self, studio: Studio, parent: QWidget) -> None:
         super().__init__(parent)
         self._studio = studio
+        self.words = ""
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.refresh()
@@ -64,7 +69,7 @@ class Badge(QLabel):
     def refresh(self) -> None:
         """As things are now."""
         studio = self._studio
-        words = badge_words(studio)
+        self.words = words = badge_words(studio)
         colors = studio.theme.palette
         ground = colors.teach if studio.mode is Mode.TEACHING else colors.accent
         text = "#ffffff" if not studio.theme.is_dark else "#10131a"

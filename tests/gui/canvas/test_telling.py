@@ -10,7 +10,7 @@ from app.core.edits import rename_automaton
 from app.editor.canvas.coloring import ColorBy
 from app.editor.selection import BehaviorKey
 from app.editor.theme import ThemeMode
-from app.engine.commands import RunArm, Step, Teach
+from app.engine.commands import Pick, RunArm, Step, Teach, UndoPick
 from tests.gui.canvas.pilot import LEFT, Pilot
 
 
@@ -122,6 +122,18 @@ def test_the_badge_says_what_the_session_is_for(pilot: Pilot) -> None:
     pilot.wait(lambda: pilot.canvas.on_top.badge.text() == "▷ Testing Forage")
     pilot.send(RunArm())
     pilot.wait(lambda: not pilot.canvas.on_top.badge.isVisible())
+
+
+def test_the_badge_says_at_once_who_is_in_training_in_a_test(pilot: Pilot) -> None:
+    badge = pilot.canvas.on_top.badge
+    pilot.send(Teach("agent", "forage", ("agent-17",)))
+    pilot.wait(badge.isVisible)
+    pilot.choose("teach.test")
+    pilot.wait(lambda: badge.text() == "▷ Testing Forage")
+    pilot.send(Pick("agent-17", "wander"))
+    pilot.wait(lambda: badge.text() == "▷ Testing Forage · agent 17 in training")
+    pilot.send(UndoPick())
+    pilot.wait(lambda: badge.text() == "▷ Testing Forage")
 
 
 def test_a_long_name_leaves_room_for_the_world_and_for_other_names(pilot: Pilot) -> None:
