@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from .study import Study
 
 
+#: What the button says that holds an experiment, and lets it go on.
+PAUSE, RESUME = "Pause", "Resume"
 #: Pixels that an icon takes, which a button gets later.
 ICON = 20
 
@@ -46,10 +48,8 @@ class Controls(QWidget):
         self.jobs = _number("Runs at a time", 1, max(1, cores()))
         self.jobs.setValue(cores())
         self.run = text_button("Run", "Run what is missing (F5)", self.begun.emit)
-        self.pause = text_button(
-            "Pause", "Let all worlds stand still, or go on (F6)", running.pause_or_resume
-        )
-        _keep_width(self.pause, "Resume")
+        self.pause = text_button(PAUSE, "Let all worlds stand still, or go on (F6)", running.pause_or_resume)
+        _keep_width(self.pause, RESUME)
         self.cancel = text_button("Cancel", "Stop; finished runs are kept (F7)", running.cancel)
         self.bar = QProgressBar()
         self.bar.setTextVisible(False)
@@ -81,7 +81,8 @@ class Controls(QWidget):
         column.addWidget(self.told)
 
     def _dress(self) -> None:
-        for button, name in ((self.run, "play"), (self.pause, "pause"), (self.cancel, "close")):
+        hold = "play" if self.pause.text() == RESUME else "pause"
+        for button, name in ((self.run, "play"), (self.pause, hold), (self.cancel, "close")):
             button.setIcon(icon(name, self._theme))
 
     def show_study(self, study: Study) -> None:
@@ -110,11 +111,16 @@ class Controls(QWidget):
         on, look = self._running.is_on, self._running.look
         self.run.setEnabled(running)
         self.pause.setEnabled(on)
-        self.pause.setText("Resume" if look is not None and look.stage is Stage.PAUSED else "Pause")
+        self._say_what_pause_does(RESUME if look is not None and look.stage is Stage.PAUSED else PAUSE)
         self.cancel.setEnabled(on)
         self.bar.setVisible(on)
         for field in (self.ticks, self.runs, self.jobs):
             field.setEnabled(running)
+
+    def _say_what_pause_does(self, words: str) -> None:
+        if words != self.pause.text():
+            self.pause.setText(words)
+            self._dress()
 
 
 def _keep_width(button: QPushButton, other: str) -> None:

@@ -117,6 +117,10 @@ def test_an_experiment_is_paused_resumed_and_cancelled_and_keeps_what_is_finishe
     qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: told(window, "Paused at"), timeout=PATIENCE)
     assert window.controls.pause.text() == "Resume"
+    pause, run = (
+        button.icon().pixmap(16).toImage() for button in (window.controls.pause, window.controls.run)
+    )
+    assert pause == run  # it goes on
     assert window.pages.runs.model.rowCount() > 0
     qtbot.mouseClick(window.controls.pause, Qt.MouseButton.LeftButton)
     qtbot.mouseClick(window.controls.cancel, Qt.MouseButton.LeftButton)
