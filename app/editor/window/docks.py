@@ -12,9 +12,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QHBoxLayout,
-    QLabel,
     QMainWindow,
-    QSizePolicy,
     QTabWidget,
     QWidget,
 )
@@ -30,6 +28,7 @@ from ..problems.panel import ProblemsPanel
 from ..teach.panel import TeachPanel
 from ..timeline.panel import TimelinePanel
 from ..tree.panel import TreePanel
+from .cut_line import CutLine
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -174,31 +173,13 @@ class Dock(QDockWidget):
             self._tell(self._told)
 
 
-class _Words(QLabel):
-    """A line that is cut where there is no more room, so that a long name does not make the dock wide."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(text)
-        self.setProperty("role", "title")
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        """See above; all of it is in the tool tip."""
-        whole = self.text()
-        shown = self.fontMetrics().elidedText(whole, Qt.TextElideMode.ElideRight, self.width())
-        self.setToolTip(whole if shown != whole else "")
-        painter = QPainter(self)
-        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, shown)
-        painter.end()
-
-
 class _Title(QWidget):
     """Only words; it can be dragged as any title bar can."""
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.label = _Words(title)
+        self.label = CutLine(title)
+        self.label.setProperty("role", "title")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(10, 6, 8, 5)
         layout.addWidget(self.label)

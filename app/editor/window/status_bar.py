@@ -5,10 +5,11 @@ from __future__ import annotations
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QLabel, QStatusBar
 
 from ...engine.snapshots import Snapshot
+from .cut_line import CutLine
 from .physics import physics_words
 
 if TYPE_CHECKING:
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
 #: Milliseconds between two looks at what changes slowly.
 SLOWLY = 500
-#: Pixels for what was undone; its tool tip says all of it.
-UNDONE = 260
 #: How such a world is left.
 BACK = "Choosing the arm again begins its own world."
 
@@ -39,8 +38,9 @@ class StatusBar(QStatusBar):
         self.learner = self._label()
         self.fit = self._label()
         self.fit.setToolTip("How well what was learned of the selected behavior fits its examples")
-        self.undone = self._label()
         self.notice = self._label()
+        self.undone = CutLine()
+        self._place(self.undone, 1)  # all the room that is left: it makes no window wider
         self.saved = QLabel()
         self.saved.setProperty("role", "caption")
         self.saved.setContentsMargins(8, 2, 10, 2)
@@ -74,16 +74,17 @@ class StatusBar(QStatusBar):
     def _tell_what_is_undone(self) -> None:
         """What redo would bring back: it may have been in a behavior that is not in sight."""
         text = self._studio.document.history.redo_text
-        words = f"undone: {text}" if text else ""
-        self.undone.setText(self.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, UNDONE))
-        self.undone.setToolTip(words)
+        self.undone.setText(f"undone: {text}" if text else "")
 
     def _label(self) -> QLabel:
         label = QLabel()
+        self._place(label)
+        return label
+
+    def _place(self, label: QLabel, stretch: int = 0) -> None:
         label.setProperty("role", "caption")
         label.setContentsMargins(4, 2, 8, 2)
-        self.addWidget(label)
-        return label
+        self.addWidget(label, stretch)
 
     def _cleared(self) -> None:
         for label in (

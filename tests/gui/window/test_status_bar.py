@@ -13,6 +13,7 @@ from app.editor.window.status_bar import StatusBar
 from app.editor.window.toolbar import Toolbar
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import PATIENCE
+from tests.patient_bot import have_done_what_is_due
 
 
 def test_the_status_bar_counts_what_the_world_counts(window: MainWindow, qtbot: QtBot) -> None:
@@ -81,6 +82,18 @@ def test_what_was_undone_is_said_until_something_else_is_done(window: MainWindow
     assert bar.undone.text() == "undone: Rename Roam to Stroll"
     document.do(rename_automaton, "agent", "wander", "Amble")
     assert bar.undone.text() == ""
+
+
+def test_what_was_undone_makes_no_window_wider_however_long_it_is(window: MainWindow, qtbot: QtBot) -> None:
+    bar, document = window.statusBar(), window.studio.document
+    assert isinstance(bar, StatusBar)
+    have_done_what_is_due()
+    before = window.minimumSizeHint().width()
+    document.do(rename_automaton, "agent", "wander", "Stroll" * 40)
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert bar.undone.text() == f"undone: Rename Wander to {'Stroll' * 40}"
+    qtbot.waitUntil(lambda: bar.undone.toolTip() == bar.undone.text())  # it is cut
+    assert window.minimumSizeHint().width() == before
 
 
 def test_nothing_is_said_to_be_learned_where_there_are_no_examples(window: MainWindow, qtbot: QtBot) -> None:
