@@ -9,7 +9,7 @@ from pathlib import Path
 import typer
 
 from ..core.errors import ParameterError, UnderstudyError
-from ..core.storage.problems import reason
+from ..core.refusals import reason
 from ..core.wholes import may_be_cut_off
 from ..engine.interrupts import ended_by_a_second
 from .console import PROGRAM, OutputError, say, say_at_last, writing

@@ -10,6 +10,7 @@ from pydantic import Field, ValidationError
 from ..core.examples import Example
 from ..core.library import Library
 from ..core.project import Project
+from ..core.refusals import reason
 from ..core.storage import SCHEMA_VERSION, FilesError, Problem
 from ..core.storage.atomic import WriteError, change_files
 from ..core.storage.convert import automaton_document, automaton_value
@@ -19,7 +20,7 @@ from ..core.storage.convert_project import (
     project_document,
     project_value,
 )
-from ..core.storage.problems import of_document, reason
+from ..core.storage.problems import of_document
 from ..core.storage.project_schema import ExamplesRecord, ProjectRecord
 from ..core.storage.schema import AutomatonRecord
 from ..core.storage.text import TextError, parsed, written

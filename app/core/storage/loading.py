@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from ..examples import Example
 from ..library import Library
 from ..project import Positions, Project
+from ..refusals import reason
 from .atomic import locked
 from .convert import automaton_value
 from .convert_project import demonstration_value, examples_value, layout_value, project_value
@@ -26,7 +27,7 @@ from .layout import (
 from .migrations import PROJECT_FILE, Documents, VersionError, migrated
 from .moments import Moments, hash_of
 from .names import type_name_problem
-from .problems import FilesError, Problem, of_document, reason
+from .problems import FilesError, Problem, of_document
 from .project_schema import DemonstrationRecord, ExamplesRecord, LayoutRecord, ProjectRecord
 from .schema import AutomatonRecord
 from .text import TextError, parsed

@@ -1,6 +1,5 @@
 """What is wrong with the files of a project, in words that a user can act on."""
 
-import errno
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -60,25 +59,6 @@ def _message(folder: Path, problems: tuple[Problem, ...]) -> str:
     if len(problems) > MOST_SHOWN:
         lines.append(f"  and {len(problems) - MOST_SHOWN} more")
     return "\n".join(lines)
-
-
-# ------------------------------------------------------------------------------------------ the system's errors
-
-_REASONS = {
-    errno.EACCES: "permission denied",
-    errno.EPERM: "permission denied",
-    errno.EROFS: "the file system is read-only",
-    errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "the disk quota is used up",
-    errno.ENAMETOOLONG: "the name is too long for this file system",
-    errno.ENOTDIR: "a folder is expected, but a file is in its place",
-    errno.EISDIR: "a file is expected, but a folder is in its place",
-}
-
-
-def reason(error: OSError) -> str:
-    """Why the system refused."""
-    return _REASONS.get(error.errno or 0) or error.strerror or type(error).__name__
 
 
 # --------------------------------------------------------------------------------------------- wrong documents

@@ -11,6 +11,7 @@ from pydantic import ValidationError
 from ..errors import StorageError
 from ..examples import Example
 from ..project import Project
+from ..refusals import reason
 from .atomic import WriteError, change_files, clear_unfinished, locked
 from .convert import Document, automaton_document
 from .convert_project import demonstration_document, examples_document, layout_document, project_document
@@ -31,7 +32,7 @@ from .layout import (
 from .migrations import PROJECT_FILE, SCHEMA_VERSION, VersionError, refuse_newer, version_of
 from .moments import file_of
 from .names import folded, type_name_problem
-from .problems import FilesError, Problem, of_document, reason
+from .problems import FilesError, Problem, of_document
 from .text import TextError, parsed, written
 
 

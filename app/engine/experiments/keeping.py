@@ -5,9 +5,10 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import ParameterError
+from ...core.refusals import reason
 from ...core.storage.atomic import WriteError, change_files
 from ...core.storage.names import file_name_problem
-from ...core.storage.problems import FilesError, Problem, reason
+from ...core.storage.problems import FilesError, Problem
 from ...core.storage.text import written
 from .load import FOLDER
 from .plan import Claim, Design, Experiment, Factor, Kind, Panel, Reference, Settings

@@ -9,7 +9,8 @@ from pydantic import ValidationError
 
 from ...core.errors import EditError, ParameterError, UnderstudyError
 from ...core.project import Project
-from ...core.storage.problems import FilesError, Problem, of_document, reason
+from ...core.refusals import reason
+from ...core.storage.problems import FilesError, Problem, of_document
 from ...core.storage.text import TextError, parsed
 from ...sim.scenario import Scenario
 from .plan import Claim, Experiment, Factor, Given, Kind, Level, Levels, Panel, Reference, Settings, Treated

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import StorageError
-from ...core.storage.problems import reason
+from ...core.refusals import reason
 
 #: Marks an SQLite file as ours: "UndS".
 OURS = 0x556E6453
