@@ -44,10 +44,16 @@ class Worker(Generic[Asked, Answered]):
     def ask(self, question: Asked) -> None:
         """Begin to work; an earlier question that is still open is given up."""
         self.give_up()
-        stop = Event()
-        future = self._pool.submit(self._work, question, stop.is_set)
+        stop, asked = Event(), Event()
+
+        def work() -> Answered:
+            asked.wait()  # otherwise quick work would be ready before who asks has finished asking
+            return self._work(question, stop.is_set)
+
+        future = self._pool.submit(work)
         self._open = question, future, stop
         future.add_done_callback(lambda _: self._ready())
+        asked.set()
 
     def answers(self) -> list[Answered]:
         """The answer to the last question, once it has come; work that breaks down answers so as well."""
