@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from threading import Event
+from threading import Event, Lock
 from typing import Generic, TypeVar
 
 Asked = TypeVar("Asked")
@@ -34,6 +34,7 @@ class Worker(Generic[Asked, Answered]):
         self._work = work
         self._broken = broken
         self._ready = ready
+        self._asking = Lock()
         self._open: tuple[Asked, Future[Answered], Event] | None = None
 
     @property
@@ -44,16 +45,16 @@ class Worker(Generic[Asked, Answered]):
     def ask(self, question: Asked) -> None:
         """Begin to work; an earlier question that is still open is given up."""
         self.give_up()
-        stop, asked = Event(), Event()
+        stop = Event()
+        with self._asking:
+            future = self._pool.submit(self._begin, question, stop.is_set)
+            self._open = question, future, stop
+            future.add_done_callback(lambda _: self._ready())
 
-        def work() -> Answered:
-            asked.wait()  # otherwise quick work would be ready before who asks has finished asking
-            return self._work(question, stop.is_set)
-
-        future = self._pool.submit(work)
-        self._open = question, future, stop
-        future.add_done_callback(lambda _: self._ready())
-        asked.set()
+    def _begin(self, question: Asked, cancelled: IsCancelled) -> Answered:
+        with self._asking:
+            pass  # otherwise quick work would be ready before who asks has finished asking
+        return self._work(question, cancelled)
 
     def answers(self) -> list[Answered]:
         """The answer to the last question, once it has come; work that breaks down answers so as well."""
