@@ -44,10 +44,10 @@ def draw_lines(painter: QPainter, lines: Floats) -> None:
         painter.drawLines(_first(kept, QLineF), len(kept))
 
 
-def draw_polyline(painter: QPainter, points: Floats) -> None:
-    """Draw a line through points: points x (x, y)."""
-    if len(points) > 1:
-        painter.drawPolyline(_polygon(points))
+def draw_points(painter: QPainter, points: Floats) -> None:
+    """Draw dots as wide as the pen: points x (x, y)."""
+    if len(points):
+        painter.drawPoints(_polygon(points))
 
 
 def draw_polygon(painter: QPainter, points: Floats) -> None:

@@ -7,12 +7,13 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from .arrays import draw_copies, draw_fragments, draw_lines, draw_polyline
+from .arrays import draw_copies, draw_fragments, draw_lines, draw_points
 from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
 from .ink import Ink
 from .stamp import stamp
+from .trails import MOST
 
 #: How much those stay visible that the legend does not light up.
 FADED = 0.2
@@ -86,35 +87,40 @@ def paint_trails(painter: QPainter, frame: Frame) -> None:
     if frame.options.all_trails and frame.scene.agents <= MOST_OF_ALL:
         _paint_all_trails(painter, frame)
     if frame.options.trails and 0 < chosen.size <= MOST_TRAILS:
-        xs, ys = frame.camera.to_view(*(np.asarray(v, np.float64) for v in frame.trails.of(chosen)))
+        ends, ways = _trail_ends(frame, chosen, MOST), frame.trails.are_ways()
         for k, agent in enumerate(chosen.tolist()):
-            _paint_trail(painter, frame, agent, np.stack((xs[:, k], ys[:, k]), axis=1))
+            _paint_trail(painter, frame, agent, ends[:, k], ways)
 
 
-def _paint_trail(painter: QPainter, frame: Frame, agent: int, points: NDArray[np.float64]) -> None:
+def _trail_ends(frame: Frame, agents: NDArray[np.int64], newest: int) -> NDArray[np.float64]:
+    """The pieces of trails on the screen: times x agents x (x, y from, x, y to)."""
+    x, y = frame.camera.to_view(*(np.asarray(v, np.float64) for v in frame.trails.of(agents, newest)))
+    return np.stack((x[:-1], y[:-1], x[1:], y[1:]), axis=2)
+
+
+def _paint_trail(
+    painter: QPainter, frame: Frame, agent: int, ends: NDArray[np.float64], ways: NDArray[np.bool_]
+) -> None:
+    """Piece by piece: as one, a line that crosses itself often takes Qt many times as long."""
     color = QColor(*frame.coloring.entries[frame.coloring.entry[agent]].color)
-    pieces = np.array_split(np.arange(len(points)), PIECES)
-    for k, piece in enumerate(pieces):
-        if not piece.size:
-            continue
+    for k, piece in enumerate(np.array_split(np.arange(len(ends)), PIECES)):
         color.setAlphaF(STRONGEST * (k + 1) / PIECES)
-        painter.setPen(QPen(color, 1.6))
-        draw_polyline(painter, points[piece[0] : piece[-1] + 2])
+        painter.setPen(QPen(color, 1.6, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        draw_lines(painter, ends[piece][ways[piece]])
+        painter.setPen(QPen(color, 2.4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        draw_points(painter, ends[piece][~ways[piece], 2:])
 
 
 def _paint_all_trails(painter: QPainter, frame: Frame) -> None:
-    everyone = np.arange(frame.scene.agents)
-    xs, ys = frame.trails.of(everyone, SHORT)
-    if len(xs) < 2:
-        return
-    x, y = frame.camera.to_view(np.asarray(xs, np.float64), np.asarray(ys, np.float64))
-    lines = np.stack((x[:-1], y[:-1], x[1:], y[1:]), axis=2)
+    ends, ways = _trail_ends(frame, np.arange(frame.scene.agents), SHORT), frame.trails.are_ways(SHORT)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
     for entry in np.unique(frame.coloring.entry).tolist():
         color = QColor(*frame.coloring.entries[entry].color)
         color.setAlphaF(0.35)
         painter.setPen(QPen(color, 1.0))
-        draw_lines(painter, lines[:, frame.coloring.entry == entry].reshape(-1, 4))
+        own = ends[:, frame.coloring.entry == entry]
+        draw_lines(painter, own[ways].reshape(-1, 4))
+        draw_points(painter, own[~ways, :, 2:].reshape(-1, 2))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 

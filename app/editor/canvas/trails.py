@@ -10,6 +10,8 @@ from .scene import Scene
 
 #: Places that are remembered of all agents together, and of each at most and at least.
 ALTOGETHER, MOST, LEAST = 600_000, 240, 30
+#: If more ticks than this passed between two places, nobody saw the way from one to the other.
+SEEN = 100
 
 Floats = NDArray[np.float32]
 
@@ -48,3 +50,7 @@ class Trails:
         if not seen:  # there may be no such agents either
             return np.empty((0, len(agents)), np.float32), np.empty((0, len(agents)), np.float32)
         return self._x[rows, agents], self._y[rows, agents]
+
+    def are_ways(self, newest: int = MOST) -> NDArray[np.bool_]:
+        """Whether the way to each of the *newest* places but the first was seen: a line from the place before tells it."""
+        return np.diff(np.asarray(self._ticks[-newest:], np.int64)) <= SEEN

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.editor.canvas.trails import MOST, Trails
+from app.editor.canvas.trails import MOST, SEEN, Trails
 from tests.corridor import corridor, project
 from tests.unit.editor.canvas.worlds import scene
 
@@ -49,3 +49,11 @@ def test_only_the_newest_places_can_be_asked_for_also_after_going_back_round_the
 
 def test_who_has_been_nowhere_has_no_trail() -> None:
     assert [values.shape for values in Trails().of(np.arange(3))] == [(0, 3), (0, 3)]
+
+
+def test_the_way_is_told_only_where_few_ticks_have_passed_between_two_places() -> None:
+    trails = Trails()
+    walked(trails, 0, SEEN, 2 * SEEN + 1, 2 * SEEN + 2)
+    assert trails.are_ways().tolist() == [True, False, True]
+    assert trails.are_ways(2).tolist() == [True]
+    assert trails.are_ways(1).tolist() == Trails().are_ways().tolist() == []
