@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..agents.panel import AgentsPanel
+from ..cut_line import CutLine
 from ..examples.panel import ExamplesPanel
 from ..graph.panel import GraphPanel
 from ..inspector.panel import InspectorPanel
@@ -28,7 +29,6 @@ from ..problems.panel import ProblemsPanel
 from ..teach.panel import TeachPanel
 from ..timeline.panel import TimelinePanel
 from ..tree.panel import TreePanel
-from .cut_line import CutLine
 
 if TYPE_CHECKING:
     from ..studio import Studio

@@ -9,7 +9,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QLabel, QStatusBar
 
 from ...engine.snapshots import Snapshot
-from .cut_line import CutLine
+from ..cut_line import CutLine
 from .physics import physics_words
 
 if TYPE_CHECKING:
