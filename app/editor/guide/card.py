@@ -65,6 +65,7 @@ class Guide(QFrame):
         self._picked, self._from_tick = "", 0
         self._stopped = False  # at the moment that the step is about
         self._is_so_already = False  # what the step asks for, since before it began
+        self._to_do = 0  # the first later step that asked for something not done when this one began
         self._is_above = False  # in the upper corner
         self.setObjectName("guide")
         self.setAccessibleName("Guided first lesson")
@@ -200,7 +201,11 @@ class Guide(QFrame):
         if self.step == len(STEPS):
             self._end()
             return
-        self._is_so_already = STEPS[self.step].done(self._seen())
+        seen = self._seen()
+        self._is_so_already = STEPS[self.step].done(seen)
+        self._to_do = next(
+            (n for n in range(self.step + 1, len(STEPS)) if not STEPS[n].done(seen)), len(STEPS)
+        )
         self._say_step()
 
     def _say_step(self) -> None:
@@ -264,9 +269,13 @@ class Guide(QFrame):
         if not self.isVisible() or self.step >= len(STEPS):
             return
         snapshot, seen, step = self._studio.snapshot, self._seen(), STEPS[self.step]
-        if step.done(seen):
+        is_done = step.done(seen)
+        if self._is_ahead(seen, is_done=is_done):
+            self._go(self._to_do + 1)
+            return
+        if is_done:
             if not self._is_so_already:
-                self._go(self.step + (2 if self._is_ahead(seen) else 1))
+                self._go(self.step + 1)
             return
         if self._is_so_already:
             self._is_so_already = False
@@ -275,10 +284,11 @@ class Guide(QFrame):
             step.prepares(self._studio)
             self._stop_in_time(snapshot, step.stops(seen))
 
-    def _is_ahead(self, seen: Seen) -> bool:
-        """Whether the user has picked what only the next step asks for."""
-        following = STEPS[self.step + 1 : self.step + 2]
-        return bool(seen.picked) and any(step.done(replace(seen, ticks=0)) for step in following)
+    def _is_ahead(self, seen: Seen, *, is_done: bool) -> bool:
+        """Whether the user has done what only a later step asks for, where this one keeps nobody from it."""
+        if not is_done and not STEPS[self.step].is_watched:
+            return False
+        return any(step.done(replace(seen, ticks=0)) for step in STEPS[self._to_do : self._to_do + 1])
 
     def _stop_in_time(self, snapshot: Snapshot, left: int | None) -> None:
         """Have time stop after *left* ticks, also where the window is late; None if it is to go on.

@@ -152,6 +152,22 @@ def test_what_is_to_be_watched_stays_until_it_was_read_however_fast_time_passes(
     at(lesson, qtbot, "Now foraging")
 
 
+def test_who_begins_what_comes_next_has_seen_what_was_to_be_watched(lesson: MainWindow, qtbot: QtBot) -> None:
+    guide = lesson.guide
+    while guide.title.text() != "Watch them":
+        qtbot.mouseClick(guide.skip, Qt.MouseButton.LeftButton)
+    choose_in_library(lesson, qtbot, RowKey("agent", "forage"))
+    at(lesson, qtbot, "Take an agent in hand")
+    qtbot.mouseClick(guide.back, Qt.MouseButton.LeftButton)
+    assert "so already" in guide.words.text()
+    qtbot.keyClick(lesson, Qt.Key.Key_T)
+    at(lesson, qtbot, "Let it search")
+    qtbot.mouseClick(guide.back, Qt.MouseButton.LeftButton)
+    assert "so already" in guide.words.text()
+    pick(lesson, qtbot, "Wander")
+    at(lesson, qtbot, "When it finds a box")
+
+
 def test_who_lets_time_go_on_at_a_box_is_stopped_again_at_the_next(window: MainWindow, qtbot: QtBot) -> None:
     studio = window.studio
     studio.settings.lesson_step = SECOND
