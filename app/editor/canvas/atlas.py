@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QPixmap, QPolygonF, QTransform
 
+from ..arrays import FRAGMENT
 from ..theme import mixed
-from .arrays import FRAGMENT
 from .coloring import BASICS, IDLES, SHAPES
 
 HEADINGS = 64

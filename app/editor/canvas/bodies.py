@@ -12,8 +12,8 @@ from PySide6.QtCore import QPointF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
 from ...sim.columns import AGENT
+from ..arrays import Floats, draw_copies
 from ..theme import text_font
-from .arrays import Floats, draw_copies
 from .frame import Frame, load_radius
 from .ink import Ink
 from .stamp import stamp

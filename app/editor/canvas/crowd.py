@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from .arrays import draw_copies, draw_fragments, draw_lines, draw_points
+from ..arrays import draw_copies, draw_fragments, draw_lines, draw_points
 from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of

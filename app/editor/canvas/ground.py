@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from .arrays import draw_lines
+from ..arrays import draw_lines
 from .frame import Frame
 
 #: Pixels between two lines of the grid, at least.

@@ -8,9 +8,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from ...sim.doing import NONE
+from ..arrays import draw_lines, draw_polygon
 from ..behavior_colors import BehaviorColors, nth_color
 from ..theme import mixed
-from .arrays import draw_lines, draw_polygon
 from .coloring import ColorBy
 from .frame import Frame
 from .groups import Forest, forest_of, hulls, nodes_at

@@ -39,6 +39,7 @@ class TimelinePanel(QWidget):
         self._studio = studio
         self.past = Past()
         self._picks: dict[tuple[str, ...], PickDot] = {}  # by where the first of their examples is
+        self._standing: tuple[PickDot, ...] | None = None  # those that were not taken back, once looked up
         self._looks: dict[Doing, tuple[str, QColor]] = {}
         self.strip = Strip(studio.theme, self.past, self._look)
         self._lay_out()
@@ -81,11 +82,13 @@ class TimelinePanel(QWidget):
         self.past.take(snapshot)
         if self.past.version != before:
             self._picks = {at: dot for at, dot in self._picks.items() if dot.tick <= snapshot.tick}
+            self._standing = None
         if self.isVisible():
             self._live.ask()
 
     def _event_came(self, event: object) -> None:
         snapshot = self._studio.snapshot
+        self._standing = None
         if isinstance(event, Moved) and snapshot is not None:
             self.past.move(snapshot.tick)
         elif isinstance(event, Picked) and event.recorded.examples:
@@ -97,6 +100,7 @@ class TimelinePanel(QWidget):
             self._live.ask()
 
     def _history_changed(self) -> None:
+        self._standing = None
         snapshot = self._studio.snapshot
         if snapshot is not None:
             self.past.moved_back(snapshot.tick)
@@ -105,6 +109,7 @@ class TimelinePanel(QWidget):
     def _another_world(self) -> None:
         self.past.clear()
         self._picks.clear()
+        self._standing = None
         self._live.ask()
 
     def _dot(self, picked: Picked) -> PickDot:
@@ -119,7 +124,7 @@ class TimelinePanel(QWidget):
         words = f"tick {first.tick:,}: {node_words(Node(first.node, ''))} was to go from {source} to {label}"
         return PickDot(recorded, words)
 
-    def _standing(self) -> tuple[PickDot, ...]:
+    def _looked_whether_standing(self) -> tuple[PickDot, ...]:
         """The picks that have not been taken back."""
         project = self._studio.document.project
         dots = self._picks.values()
@@ -146,12 +151,14 @@ class TimelinePanel(QWidget):
         self._looks.clear()  # names and colors may be others by now
         measures = list(snapshot.measures)
         ends = self.past.points[0].tick, self.past.points[-1].tick
+        if self._standing is None:
+            self._standing = self._looked_whether_standing()
         self.strip.show_now(
             Shown(
                 snapshot.tick,
                 snapshot.earliest if snapshot.mode is Mode.RUNNING else None,
                 self._nodes(snapshot),
-                tuple(dot for dot in self._standing() if ends[0] <= dot.tick <= ends[1]),
+                tuple(dot for dot in self._standing if ends[0] <= dot.tick <= ends[1]),
                 measures[0] if measures else "",
             )
         )

@@ -35,12 +35,18 @@ class _Known:
 
     def __init__(self, version: int) -> None:
         self.version = version
-        self.count = 0
         self.spans: list[Span] = []
+        self.codes: list[int] = []
+        self._numbers: dict[Doing | None, int] = {}
+
+    @property
+    def all_done(self) -> list[Doing | None]:
+        """What the codes stand for."""
+        return list(self._numbers)
 
     def go_on(self, tick: int, doing: Doing | None) -> None:
         """One more point."""
-        self.count += 1
+        self.codes.append(self._numbers.setdefault(doing, len(self._numbers)))
         last = self.spans[-1] if self.spans else None
         if last is not None:
             self.spans[-1] = replace(last, last=tick)
@@ -104,12 +110,20 @@ class Past:
 
     def spans(self, node: str) -> list[Span]:
         """What a node did, one span after the other."""
+        return self._known_of(node).spans
+
+    def codes(self, node: str) -> tuple[Sequence[int], Sequence[Doing | None]]:
+        """What a node did at each of the points, as numbers, and what the numbers stand for."""
+        known = self._known_of(node)
+        return known.codes, known.all_done
+
+    def _known_of(self, node: str) -> _Known:
         known = self._known.get(node)
         if known is None or known.version != self.version:
             known = self._known[node] = _Known(self.version)
-        for point in self.points[known.count :]:
+        for point in self.points[len(known.codes) :]:
             known.go_on(point.tick, done_by(point, node))
-        return known.spans
+        return known
 
     def look_at(self, nodes: Collection[str]) -> None:
         """Forget the spans of all nodes but these."""

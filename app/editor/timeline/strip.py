@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from ...core.amounts import counted
-from ..behavior_colors import luminance
-from ..diagram.strokes import elided, text_width
-from ..theme import CAPTION, text_font
-from .band import Band, band_of
+from .band import Band, band_of, line_of
 from .past import Doing, Past, Span
+from .strip_painting import AXIS, LEFT, RIGHT, Drawn, DrawnLine, Places, StripPainter
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,12 +21,8 @@ if TYPE_CHECKING:
     from ...core.examples import Example
     from ..theme import Theme
 
-#: Pixels: of the words beside the rows, at the right, of the axis below, and between two marks of it at least.
-LEFT, RIGHT, AXIS, APART = 76, 16, 20, 64
-#: Of a row, and of one where there is little room; of a band in it; of the dot of a pick; how near to it the mouse has to be.
-ROW, LOW_ROW, BAND, DOT, NEAR = 24, 18, 16.0, 4.0, 6.0
-#: From this luminance on, words on a color are dark.
-BRIGHT = 0.3
+#: Pixels: of a row, and of one where there is little room; how near to the dot of a pick the mouse has to be.
+ROW, LOW_ROW, NEAR = 24, 18, 6.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +93,7 @@ class Strip(QWidget):
         self._theme, self._past, self._look = theme, past, look
         self.shown = Shown()
         self._spans: dict[str, list[Span]] = {}
-        self._band_now = Band()
+        self._band = Band()
         self._events: list[int] = []
         self._drags = False  # the mouse was pressed on the line, and moves along it
         self.setAccessibleName("Timeline of the run")
@@ -137,14 +131,11 @@ class Strip(QWidget):
     # ------------------------------------------------------------------------------------------------ places
 
     @property
-    def _row(self) -> float:
-        """How high a row is."""
-        return (self.height() - AXIS) / len(self.rows())
-
-    @property
-    def _band(self) -> float:
-        """How high what is drawn in a row is."""
-        return min(BAND, self._row - 3.0)
+    def places(self) -> Places:
+        """Where ticks and rows are."""
+        first, last = self._ends
+        width = max(1, self.width() - LEFT - RIGHT)
+        return Places(first, last, LEFT, width, self.height() - AXIS, len(self.rows()))
 
     @property
     def _ends(self) -> tuple[int, int]:
@@ -153,26 +144,13 @@ class Strip(QWidget):
             return 0, 1
         return points[0].tick, max(points[0].tick + 1, points[-1].tick, self.shown.now)
 
-    def x_of(self, tick: float) -> float:
-        """Where a tick is."""
-        first, last = self._ends
-        return LEFT + (tick - first) / (last - first) * max(1, self.width() - LEFT - RIGHT)
-
-    def tick_at(self, x: float) -> int:
-        """Which tick is at a place, or nearest to it."""
-        first, last = self._ends
-        share = (x - LEFT) / max(1, self.width() - LEFT - RIGHT)
-        return round(first + min(1.0, max(0.0, share)) * (last - first))
-
-    def middle_of(self, row: int) -> float:
-        """Where a row has its middle."""
-        return self._row * (row + 0.5)
-
     def _dot_at(self, place: QPointF) -> PickDot | None:
-        if abs(place.y() - self.middle_of(0)) > NEAR:
+        places = self.places
+        if abs(place.y() - places.middle_of(0)) > NEAR:
             return None
-        near = [dot for dot in self.shown.picks if abs(self.x_of(dot.tick) - place.x()) <= NEAR]
-        return min(near, key=lambda dot: abs(self.x_of(dot.tick) - place.x()), default=None)
+        apart = [(abs(places.x_of(dot.tick) - place.x()), dot) for dot in self.shown.picks]
+        distance, dot = min(apart, key=lambda pair: pair[0], default=(NEAR + 1.0, None))
+        return dot if distance <= NEAR else None
 
     def changes(self) -> list[int]:
         """The ticks at which something is drawn to happen, in their order."""
@@ -197,7 +175,7 @@ class Strip(QWidget):
         """Tell what is under the mouse."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             dot = self._dot_at(QPointF(event.pos()))
-            words = self.words_at(self.tick_at(event.pos().x())) if dot is None else dot.words
+            words = self.words_at(self.places.tick_at(event.pos().x())) if dot is None else dot.words
             QToolTip.showText(event.globalPos(), words, self)
             return True
         return super().event(event)
@@ -213,12 +191,12 @@ class Strip(QWidget):
         if dot is not None:
             self.pick_chosen.emit(dot)
         elif self._drags:
-            self.tick_wanted.emit(self.tick_at(event.position().x()))
+            self.tick_wanted.emit(self.places.tick_at(event.position().x()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Go along with the mouse while its button is down, if it went down on the line."""
         if self._drags and event.buttons() & Qt.MouseButton.LeftButton:
-            self.tick_wanted.emit(self.tick_at(event.position().x()))
+            self.tick_wanted.emit(self.places.tick_at(event.position().x()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """The arrows go to where something happened before, or after."""
@@ -238,104 +216,27 @@ class Strip(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the rows, the axis, and where the world is now."""
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setFont(text_font(CAPTION))
-        self._paint_words(painter)
-        self._paint_axis(painter)
-        self._paint_shares(painter)
-        for row, (node, _) in enumerate(self.shown.nodes, start=2):
-            for span in self._spans.get(node, ()):
-                self._paint_span(painter, row, span)
-        self._paint_events(painter)
-        self._fade(painter)
-        self._paint_now(painter)
-        self._paint_picks(painter)
+        StripPainter(painter, self._theme, self.places).paint(self._drawn())
         painter.end()
 
-    def _paint_words(self, painter: QPainter) -> None:
-        painter.setPen(self._theme.color("dim"))
-        for row, words in enumerate(self.rows()):
-            place = QRectF(10, self._row * row, LEFT - 18, self._row)
-            painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, elided(words, LEFT - 18))
-
-    def _paint_axis(self, painter: QPainter) -> None:
-        bottom = self.height() - AXIS
-        first, last = self._ends
-        step = step_of(last - first, max(1, (self.width() - LEFT - RIGHT) // APART))
-        for tick in range(-(-first // step) * step, last + 1, step):
-            x = self.x_of(tick)
-            painter.setPen(QPen(self._theme.color("hairline"), 1.0))
-            painter.drawLine(QPointF(x, 2), QPointF(x, bottom))
-            painter.setPen(self._theme.color("dim"))
-            painter.drawText(
-                QRectF(x - APART / 2, bottom, APART, AXIS), Qt.AlignmentFlag.AlignCenter, short(tick)
-            )
-
-    def _paint_shares(self, painter: QPainter) -> None:
-        """All agents in one picture: each of many calls would wait for its turn among the threads."""
-        place = QRectF(LEFT, self.middle_of(1) - self._band / 2, self.width() - LEFT - RIGHT, self._band)
-        self._band_now = band_of(
-            self._past.points, self._ends, round(place.width()), self._look, self._band_now
+    def _drawn(self) -> Drawn:
+        points, ends, width = self._past.points, self._ends, round(self.places.width)
+        self._band = band_of(points, ends, width, self._look, self._band)
+        return Drawn(
+            self.rows(),
+            self._band.picture,
+            [self._line(node) for node, _ in self.shown.nodes],
+            self._events,
+            [dot.tick for dot in self.shown.picks],
+            self.shown.now,
+            self.shown.earliest,
         )
-        if self._band_now.picture is not None:
-            painter.drawImage(place, self._band_now.picture)
 
-    def _paint_span(self, painter: QPainter, row: int, span: Span) -> None:
-        if span.doing is None:
-            return
-        words, color = self._look(span.doing)
-        left, right = self.x_of(span.first), self.x_of(span.last)
-        place = QRectF(left, self.middle_of(row) - self._band / 2, max(1.0, right - left - 1.0), self._band)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(color)
-        painter.drawRoundedRect(place, min(3.0, place.width() / 2), 3.0)
-        if text_width(words, CAPTION) <= place.width() - 8:
-            painter.setPen(QColor("#14161b" if luminance(color) > BRIGHT else "#ffffff"))
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
-
-    def _paint_events(self, painter: QPainter) -> None:
-        middle = self.middle_of(len(self.rows()) - 1)
-        painter.setPen(QPen(self._theme.color("good"), 2.0))
-        for tick in self._events:
-            painter.drawLine(QPointF(self.x_of(tick), middle - 6), QPointF(self.x_of(tick), middle + 6))
-
-    def _fade(self, painter: QPainter) -> None:
-        """What cannot be gone back to any more is paler."""
-        if self.shown.earliest:
-            veil = self._theme.color("panel")
-            veil.setAlphaF(0.55)
-            right = self.x_of(min(self.shown.earliest, self._ends[1]))
-            painter.fillRect(QRectF(LEFT, 0, max(0.0, right - LEFT), self.height() - AXIS), veil)
-
-    def _paint_picks(self, painter: QPainter) -> None:
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self._theme.color("teach"))
-        for dot in self.shown.picks:
-            painter.drawEllipse(QPointF(self.x_of(dot.tick), self.middle_of(0)), DOT, DOT)
-
-    def _paint_now(self, painter: QPainter) -> None:
-        x, bottom = self.x_of(self.shown.now), self.height() - AXIS
-        color = self._theme.color("accent")
-        painter.setPen(QPen(color, 1.5))
-        painter.drawLine(QPointF(x, 2), QPointF(x, bottom))
-        painter.setBrush(color)
-        painter.drawEllipse(QPointF(x, bottom), DOT, DOT)
-
-
-def step_of(length: int, most: int) -> int:
-    """A round number of ticks between two marks, so that there are at most so many of them."""
-    step = 1
-    while length / step > most:
-        for factor in (2, 5, 10):
-            if length / (step * factor) <= most:
-                return step * factor
-        step *= 10
-    return step
-
-
-def short(tick: int) -> str:
-    """A tick in few letters: "500", "7k", "1.5k", "2M"."""
-    for size, letter in ((1_000_000, "M"), (1_000, "k")):
-        if tick >= size:
-            return f"{tick / size:.2f}".rstrip("0").rstrip(".") + letter
-    return str(tick)
+    def _line(self, node: str) -> DrawnLine:
+        """What a node does; Start, in which it idles, is not drawn."""
+        codes, all_done = self._past.codes(node)
+        looks = [None if doing is None else self._look(doing) for doing in all_done]
+        colors = [0 if look is None else look[1].rgb() for look in looks]
+        line = line_of(self._past.points, codes, self._ends, round(self.places.width), colors)
+        long = ((left, right, looks[code]) for left, right, code in line.wide)
+        return DrawnLine(line.picture, [(left, right, *look) for left, right, look in long if look])

@@ -9,7 +9,7 @@ from app.core.edits import note_project
 from app.editor.selection import BehaviorKey
 from app.editor.timeline.band import HIGH, Band, band_of
 from app.editor.timeline.panel import TimelinePanel
-from app.editor.timeline.strip import DOT, short, step_of
+from app.editor.timeline.strip_painting import DOT, short, step_of
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import GoTo, MoveEntities, Pause, Pick, Play, Step, Teach
 from app.engine.snapshots import Mode
@@ -50,7 +50,7 @@ def snapshot_stands(window: MainWindow) -> bool:
 
 def click(panel: TimelinePanel, qtbot: QtBot, tick: int, row: int) -> None:
     strip = panel.strip
-    place = QPointF(strip.x_of(tick), strip.middle_of(row)).toPoint()
+    place = QPointF(strip.places.x_of(tick), strip.places.middle_of(row)).toPoint()
     qtbot.mouseClick(strip, Qt.MouseButton.LeftButton, pos=place)
 
 
@@ -72,8 +72,8 @@ def test_what_the_selected_agent_did_is_drawn_in_the_colors_of_behaviors(
     expected = window.studio.colors.color(
         "agent", wide.doing.state
     )  # its states are called like their behaviors
-    x = panel.strip.x_of(wide.first) + 6
-    assert color_at(panel, x, panel.strip.middle_of(panel.strip.rows().index("Agent 3"))) == expected
+    x = panel.strip.places.x_of(wide.first) + 6
+    assert color_at(panel, x, panel.strip.places.middle_of(panel.strip.rows().index("Agent 3"))) == expected
     held = {"wander": "Wander", "return-with-box": "ReturnWithBox"}
     assert f"Agent 3: {held[wide.doing.state]}" in panel.strip.words_at((wide.first + wide.last) // 2)
 
@@ -92,7 +92,7 @@ def test_all_agents_are_shown_by_the_shares_of_what_they_do(
         drawn = column.count(window.studio.colors.color("agent", behavior).name())
         assert abs(drawn / HIGH - count / sum(counts.values())) <= 2 / HIGH
     most = max(counts, key=lambda behavior: counts[behavior])
-    x, y = strip.x_of(shown(window)) - 6, strip.middle_of(1)
+    x, y = strip.places.x_of(shown(window)) - 6, strip.places.middle_of(1)
     assert color_at(panel, x, y) == window.studio.colors.color("agent", most)
 
 
@@ -156,8 +156,8 @@ def test_picks_are_red_dots_until_they_are_taken_back_and_a_click_selects_what_t
     first, second = panel.strip.shown.picks
     assert second.tick == 60
     assert second.words == "tick 60: Agent 1 was to go from Wander to ReturnWithBox"
-    middle = panel.strip.middle_of(0)
-    assert color_at(panel, panel.strip.x_of(60) + DOT / 2, middle) == studio.theme.color("teach")
+    middle = panel.strip.places.middle_of(0)
+    assert color_at(panel, panel.strip.places.x_of(60) + DOT / 2, middle) == studio.theme.color("teach")
     click(panel, qtbot, 60, 0)
     assert studio.selection.behavior == BehaviorKey("agent", "forage")
     assert studio.selection.examples == second.examples
@@ -184,7 +184,7 @@ def test_a_hand_that_trembles_on_a_pick_does_not_go_back_in_the_run(
     tick = picked_once(window, panel, qtbot, "agent-1")
     qtbot.waitUntil(lambda: len(strip.shown.picks) == 1, timeout=PATIENCE)
     strip.tick_wanted.connect(wanted.append)
-    at = QPointF(strip.x_of(tick), strip.middle_of(0)).toPoint()
+    at = QPointF(strip.places.x_of(tick), strip.places.middle_of(0)).toPoint()
     qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=at)
     qtbot.mouseMove(strip, at + QPoint(2, 1))
     qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=at + QPoint(2, 1))
