@@ -5,8 +5,12 @@ from dataclasses import dataclass, field
 from math import hypot
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 Point = tuple[float, float]
 Size = tuple[float, float]
+Counts = NDArray[np.int64]
 #: Between states that are placed without Graphviz.
 GAP = 56.0
 #: How far apart two edges between the same states bow, and how far a loop stands out.
@@ -197,47 +201,60 @@ def middle_of(points: Sequence[Point]) -> Point:
     return (a[0] + 3 * b[0] + 3 * c[0] + d[0]) / 8, (a[1] + 3 * b[1] + 3 * c[1] + d[1]) / 8
 
 
-def clear_of(run: Run, size: Size, taken: Collection[tuple[Point, Size]]) -> Run:
-    """An edge of one piece, its label where it covers as little as possible of what is *taken*: middles and sizes."""
+class Taken:
+    """What words at edges should not lie upon: middles and sizes."""
 
-    def covered(at: Point) -> int:
-        return sum(_overlap(at, size, middle, other, 0.0) for middle, other in taken)
+    def __init__(self, boxes: Iterable[tuple[Point, Size]] = ()) -> None:
+        self._boxes = [(*middle, *size) for middle, size in boxes]
 
+    def add(self, middle: Point, size: Size) -> None:
+        """One more."""
+        self._boxes.append((*middle, *size))
+
+    def upon(self, stands: Sequence[Point], size: Size) -> Counts:
+        """How many of these lie under words of a size, for each place where they may stand."""
+        boxes = np.array(self._boxes).reshape(-1, 4)
+        apart = np.abs(np.array(stands)[:, None] - boxes[:, :2])
+        return (apart < (size + boxes[:, 2:]) / 2).all(axis=2).sum(axis=1)
+
+
+def clear_of(run: Run, size: Size, taken: Taken) -> Run:
+    """An edge of one piece, its label where it covers as little as possible of what is *taken*."""
     way = [_on_the_way(run.points, share) for share in STANDS]
     aside = size[0] / 2 + ASIDE
     stands = [(x + side, y) for side in (0.0, aside, -aside) for x, y in way]
-    return Run(run.points, min(stands, key=covered))
+    return Run(run.points, stands[int(taken.upon(stands, size).argmin())])
 
 
-def loop_clear_of(
-    run: Run, size: Size, others: Collection[Run], taken: Collection[tuple[Point, Size]]
-) -> Run:
+def loop_clear_of(run: Run, size: Size, others: Collection[Run], taken: Taken) -> Run:
     """A loop, its label where *others* run through as little of it as possible, and least upon what is *taken*."""
     x, y = run.label
-    tall = size[0] + 2.0 * max(RIGHT_OF_LOOP), size[1] * (1.0 + 2.0 * max(ABOVE_LOOP))
-    ways = [
-        at for other in others for at in _looked_at(other) if _overlap(run.label, tall, at, (0.0, 0.0), 0.0)
-    ]
-    near = [(middle, other) for middle, other in taken if _overlap(run.label, tall, middle, other, 0.0)]
-
-    def covered(at: Point) -> int:
-        through = sum(_overlap(at, size, way, (0.0, 0.0), 0.0) for way in ways)
-        return through + UPON * sum(_overlap(at, size, middle, other, 0.0) for middle, other in near)
-
     stands = [(x + right, y + share * size[1]) for right in RIGHT_OF_LOOP for share in ABOVE_LOOP]
-    return Run(run.points, min(stands, key=covered))
+    ways = Taken((at, (0.0, 0.0)) for other in others for at in _looked_at(other))
+    covered = ways.upon(stands, size) + UPON * taken.upon(stands, size)
+    return Run(run.points, stands[int(covered.argmin())])
 
 
 def _looked_at(run: Run) -> list[Point]:
     """Points on the way of an edge."""
-    firsts = range(0, len(run.points) - 1, 3)
-    return [_on_the_way(run.points[first : first + 4], share) for first in firsts for share in LOOKS]
+    points = np.array(run.points)
+    pieces = np.stack([points[k : len(points) - 3 + k : 3] for k in range(4)])
+    return [(x, y) for x, y in np.tensordot(_WEIGHTS, pieces, axes=1).reshape(-1, 2).tolist()]
+
+
+def _weights(share: float) -> tuple[float, float, float, float]:
+    """How much each point of a cubic piece counts at a share of its way."""
+    left = 1.0 - share
+    return left**3, 3 * left**2 * share, 3 * left * share**2, share**3
+
+
+#: At all shares that are looked at.
+_WEIGHTS = np.array([_weights(share) for share in LOOKS])
 
 
 def _on_the_way(points: Sequence[Point], share: float) -> Point:
     """The point of a cubic piece at a share of its way."""
-    left = 1.0 - share
-    weights = left**3, 3 * left**2 * share, 3 * left * share**2, share**3
+    weights = _weights(share)
     x, y = (
         sum(weight * point[axis] for weight, point in zip(weights, points, strict=True)) for axis in (0, 1)
     )

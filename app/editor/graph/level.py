@@ -12,6 +12,7 @@ from .arrangement import (
     Request,
     Run,
     Size,
+    Taken,
     clear_of,
     extent,
     loop_clear_of,
@@ -204,12 +205,12 @@ def _apart(
     runs: Mapping[tuple[str, str], Run], labels: Labels, states: Sequence[tuple[Point, Size]]
 ) -> dict[tuple[str, str], Run]:
     """Labels cover neither states nor each other, as far as there is room; of Graphviz's, only those of loops are moved."""
-    taken, found = list(states), {}
+    taken, found = Taken(states), {}
     for key, run in runs.items():
         size = label_size(labels[key])
         straight = len(run.points) == 4 and run.label == middle_of(run.points)
         found[key] = clear_of(run, size, taken) if straight else run
-        taken.append((found[key].label, size))
+        taken.add(found[key].label, size)
     return {
         key: run if key[0] != key[1] else _loop_apart(key, found, labels, states)
         for key, run in found.items()
@@ -224,7 +225,7 @@ def _loop_apart(
 ) -> Run:
     """A loop with its label beside what else goes to its state or comes from it: Graphviz leaves these out of account."""
     others = {key: run for key, run in runs.items() if key != loop}
-    taken = [*states, *((run.label, label_size(labels[key])) for key, run in others.items())]
+    taken = Taken([*states, *((run.label, label_size(labels[key])) for key, run in others.items())])
     at_its_state = [run for key, run in others.items() if loop[0] in key]
     return loop_clear_of(runs[loop], label_size(labels[loop]), at_its_state, taken)
 

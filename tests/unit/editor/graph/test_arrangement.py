@@ -7,6 +7,7 @@ import pytest
 from app.editor.graph.arrangement import (
     Request,
     Run,
+    Taken,
     at_once,
     border,
     clear_of,
@@ -119,15 +120,15 @@ def test_words_of_a_loop_stand_beside_what_else_comes_to_its_state() -> None:
     comes = Run(
         ((x + 60.0, y + 60.0), (x + 40.0, y + 14.0), (x + 20.0, y + 8.0), (x - 60.0, y + 6.0)), (x, y)
     )
-    assert loop_clear_of(loop, size, (), ()).label == (x, y)
-    above = loop_clear_of(loop, size, [comes], ()).label
+    assert loop_clear_of(loop, size, (), Taken()).label == (x, y)
+    above = loop_clear_of(loop, size, [comes], Taken()).label
     assert (above[0], above[1] < y) == (x, True)
-    below = loop_clear_of(loop, size, [comes], [((x, y - 20.0), (80.0, 30.0))]).label
+    below = loop_clear_of(loop, size, [comes], Taken([((x, y - 20.0), (80.0, 30.0))])).label
     assert below[1] >= y, "words upon words are worse"
 
 
 def test_words_at_an_edge_make_room_for_what_is_there() -> None:
     run, size = run_between((0.0, 0.0), SIZE, (0.0, 300.0), SIZE, bowed=False), (60.0, 28.0)
-    assert clear_of(run, size, ()).label == pytest.approx(middle_of(run.points))
-    x, y = clear_of(run, size, [(run.label, size)]).label
+    assert clear_of(run, size, Taken()).label == pytest.approx(middle_of(run.points))
+    x, y = clear_of(run, size, Taken([(run.label, size)])).label
     assert (x, abs(y - run.label[1]) >= 28.0) == (0.0, True)
