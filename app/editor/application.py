@@ -74,8 +74,12 @@ def run(project: Path | None, settings: Path, state: Path | None = None, *, trus
 
 
 def close_when_told(window: MainWindow) -> None:
-    """Close, as if the user did; what is unsaved is kept first, since who tells may not wait until the user has answered."""
+    """Close, as if the user did; what is unsaved is kept first, since who tells may not wait until the user has answered.
+
+    What is being asked already is left: otherwise the window would stay until somebody has answered that.
+    """
     window.files.autosaving.keep()
+    window.files.unask()
     window.close()
 
 

@@ -45,7 +45,7 @@ def nothing() -> None:
 class Question(QDialog):
     """A question that stands in the way of the window until it is answered.
 
-    The first answer is the standard one; Esc and the window's button give the last.
+    The first answer is the standard one; Esc and the window's button give one that only closes it, or else the last.
 
     Attributes:
         text: What is asked.
@@ -73,7 +73,7 @@ class Question(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(WIDTH)
         self.text = text
-        self._act: Callable[[], object] | None = answers[-1].act
+        self._act: Callable[[], object] | None = _left(answers).act
         self.details = _details(details, wrapped=not look.startswith("shield")) if details else None
         layout = QVBoxLayout(self)
         layout.setContentsMargins(20, 18, 20, 16)
@@ -125,6 +125,11 @@ class Question(QDialog):
     def _finished(self) -> None:
         if self._act is not None:
             self._act()
+
+
+def _left(answers: Sequence[Answer]) -> Answer:
+    """What is answered by whoever leaves a question."""
+    return next((answer for answer in answers if answer.act is None), answers[-1])
 
 
 def _head(theme: Theme, title: str, text: str, look: str) -> QHBoxLayout:

@@ -105,6 +105,11 @@ class Files(QObject):
         question.ask()
         return question
 
+    def unask(self) -> None:
+        """Leave what is being asked, as Esc does."""
+        for question in self._window.findChildren(Question):
+            question.reject()
+
     # -------------------------------------------------------------------------------------------- opening
 
     def open(self, folder: Path, arm: str = "", *, trust: bool = False, recover: bool = False) -> None:

@@ -88,6 +88,16 @@ def test_a_window_that_is_told_to_end_keeps_what_is_unsaved_before_it_asks(
     assert (folder / NAME / "autosave").exists()
 
 
+def test_a_window_that_is_told_to_end_does_so_also_while_a_message_is_open(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    (folder / "project.json").write_text("{", encoding="utf-8")
+    desk.files.open(folder)
+    question(desk, qtbot)
+    with qtbot.waitSignal(desk.closed, timeout=PATIENCE):
+        close_when_told(desk)
+
+
 def test_a_project_that_was_never_saved_is_offered_after_a_crash(
     desk: MainWindow, qtbot: QtBot, settings: Settings, small: Project
 ) -> None:

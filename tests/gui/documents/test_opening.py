@@ -42,6 +42,18 @@ def test_a_damaged_project_is_told_with_file_place_and_what_is_allowed(
     assert not (folder / NAME).exists()
 
 
+def test_escape_leaves_the_message_that_a_project_is_damaged(
+    desk: MainWindow, qtbot: QtBot, folder: Path
+) -> None:
+    (folder / "project.json").write_text("{", encoding="utf-8")
+    desk.files.open(folder)
+    asked = question(desk, qtbot)
+    with qtbot.waitSignal(asked.destroyed, timeout=PATIENCE):
+        qtbot.keyClick(asked, Qt.Key.Key_Escape)
+    idle(desk, qtbot)  # it was tried again, and the same message came, for ever
+    assert not desk.files.is_asking
+
+
 def test_behaviors_that_hold_each_other_are_told_and_parted_by_one_click(
     desk: MainWindow, qtbot: QtBot, folder: Path, small: Project
 ) -> None:
