@@ -48,6 +48,8 @@ def natural(name: str) -> tuple[tuple[str, int], ...]:
 
 def lowered(text: str) -> str:
     """*text* in lower case, sign by sign, so that places in one are places in the other: "İ" alone would become two."""
+    if text.isascii():
+        return text.lower()
     return "".join(small if len(small := sign.lower()) == 1 else sign for sign in text)
 
 

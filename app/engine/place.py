@@ -47,6 +47,11 @@ class Place:
         return tuple(node.id for node in self.hierarchy.agents())
 
     @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What the user calls each of `ids`."""
+        return tuple(map(self.called, self.ids))
+
+    @cached_property
     def _nodes(self) -> Mapping[str, Node]:
         return {node.id: node for node in self.hierarchy.walk()}
 

@@ -20,6 +20,7 @@ from PySide6.QtCore import (
 from ...core.hierarchy import Hierarchy, Node
 from ...core.wording import node_words
 from ..row_spans import spans
+from ..searching import has_words, words_in
 
 #: Nodes that are dragged: JSON, a list of their ids.
 MIME = "application/x-understudy-nodes"
@@ -305,15 +306,19 @@ def facts(node: Node) -> str:
 
 
 def filtered(forest: Hierarchy, text: str) -> Hierarchy:
-    """The nodes whose name, id or type contains *text*, with all below and above them."""
-    wanted = text.casefold().strip()
+    """The nodes whose name, id and type have all words of *text*, with all below and above them."""
+    wanted = words_in(text)
     return Hierarchy(tuple(_kept(forest.roots, wanted))) if wanted else forest
 
 
-def _kept(nodes: Iterable[Node], wanted: str) -> Iterable[Node]:
+def is_found(node: Node, words: Sequence[str]) -> bool:
+    """Whether a node has all of these words in its name, id and type."""
+    return has_words(words, node_words(node), node.id, node.type)
+
+
+def _kept(nodes: Iterable[Node], wanted: Sequence[str]) -> Iterable[Node]:
     for node in nodes:
-        names = node_words(node), node.id, node.type
-        if wanted in "\n".join(names).casefold():
+        if is_found(node, wanted):
             yield node
         elif node.children and (children := tuple(_kept(node.children, wanted))):
             yield Node(node.id, node.type, children, node.name)

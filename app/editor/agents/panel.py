@@ -26,10 +26,11 @@ from ...engine.commands import Reset
 from ...engine.snapshots import Doing
 from ..forms.nothing import NothingFound
 from ..forms.parts import Complaint, caption
+from ..searching import words_in
 from ..soon import Later, Soon
 from .delegate import NodeDelegate
 from .forest_hand import ForestHand, forest_of
-from .forest_model import ForestModel, filtered
+from .forest_model import ForestModel, filtered, is_found
 from .rows import agent_rows
 from .tree import AgentTree
 
@@ -255,13 +256,9 @@ class AgentsPanel(QWidget):
 
     def _select_found(self) -> None:
         """Enter in the filter selects what it found."""
-        text = self.filter.text().casefold().strip()
-        if text:
-            found = [
-                node.id
-                for node in self.model.forest.walk()
-                if text in str(self.model.find(node.id).data()).casefold() or text in node.id.casefold()
-            ]
+        words = words_in(self.filter.text())
+        if words:
+            found = [node.id for node in self.model.forest.walk() if is_found(node, words)]
             self._studio.selection.select_nodes(found)
             self.tree.setFocus(Qt.FocusReason.ShortcutFocusReason)
 

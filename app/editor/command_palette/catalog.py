@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from PySide6.QtGui import QAction, QKeySequence
+
 from ...core.edits import replace_arm
 from ...core.errors import UnderstudyError
+from ...core.naming import lowered
+from ..actions import SUBMENUS, ActionRow
+from ..searching import words_in
 from ..selection import BehaviorKey
-from .matching import letters_of, matching, score
+from .matching import matching, score
+from .other_words import OTHER_WORDS, SETTING_WORDS
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
 #: As many as are shown.
 MOST = 60
+#: As many of one kind as are weighed at most: ten thousand agents would keep the user waiting.
+MOST_WEIGHED = 600
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,24 +68,49 @@ class Section:
     """Things of one kind.
 
     Attributes:
-        texts: What is searched.
+        kind: What they are: it is searched as well.
+        texts: Their names.
         entry: Makes the entry at a place.
         weight: Added to the score: actions come before one of ten thousand agents.
+        others: What else each is found by; empty if that is nothing.
     """
 
     kind: str
     texts: Sequence[str]
     entry: Callable[[int], Entry]
     weight: int = 0
+    others: Sequence[str] = ()
     matched: tuple[str, list[int]] | None = field(default=None, repr=False)
+    lowered: tuple[list[str], list[str]] = field(init=False, repr=False)
 
-    def search(self, letters: str) -> list[int]:
+    def __post_init__(self) -> None:
+        self.lowered = [lowered(text) for text in self.texts], [lowered(text) for text in self.others]
+
+    def search(self, query: str) -> list[int]:
         """Places of what matches; an earlier search is narrowed down where it can be."""
         before = self.matched
-        among = before[1] if before is not None and letters.startswith(before[0]) else None
-        found = matching(letters, self.texts, among)
-        self.matched = letters, found
+        among = before[1] if before is not None and query.startswith(before[0]) else range(len(self.texts))
+        wanted = [word for word in words_in(query) if not self._is_kind(word)]
+        found = matching(wanted, *self.lowered, among)
+        self.matched = query, found
         return found
+
+    def weighed(self, words: Sequence[str], found: Sequence[int]) -> Iterator[tuple[int, int]]:
+        """The scores of places where *words* were found, with these.
+
+        Where there are very many, only the first ones are weighed, and those that are called just that: what is typed
+        next leaves fewer.
+        """
+        if len(found) > MOST_WEIGHED:
+            exact = " ".join(words)
+            rest = [at for at in found[MOST_WEIGHED:] if self.lowered[0][at] == exact]
+            found = [*found[:MOST_WEIGHED], *rest]
+        for at in found:
+            others = f"{self.others[at]} {self.kind}" if self.others else self.kind
+            yield score(words, self.texts[at], others) + self.weight, at
+
+    def _is_kind(self, word: str) -> bool:
+        return any(part.startswith(word) for part in self.kind.split())
 
 
 class Catalog:
@@ -88,16 +121,15 @@ class Catalog:
 
     def find(self, query: str, most: int = MOST) -> list[Entry]:
         """The entries that fit best, the best first."""
-        letters = letters_of(query)
+        query = lowered(query.lstrip())
+        words = words_in(query)
         ranked: list[tuple[int, int, int, int]] = []
         for number, section in enumerate(self.sections):
-            places = section.search(letters)
-            if not letters:
+            places = section.search(query)
+            if not words:
                 ranked += [(section.weight, -number, -at, at) for at in places[:most]]
                 continue
-            weighed = (
-                (score(letters, section.texts[at]) + section.weight, -number, -at, at) for at in places
-            )
+            weighed = ((worth, -number, -at, at) for worth, at in section.weighed(words, places))
             ranked += heapq.nlargest(most, weighed)
         best = heapq.nlargest(most, ranked)
         return [self.sections[-number].entry(at) for _, number, _, at in best]
@@ -108,33 +140,46 @@ def catalog_of(studio: Studio, settings: Sequence[Entry] = (), recent: Sequence[
     return Catalog(
         [
             _actions(studio),
-            _fixed("setting", settings, 3),
+            _fixed("setting", settings, 3, SETTING_WORDS),
             _behaviors(studio),
             _arms(studio),
             _parameters(studio),
-            _nodes(studio),
-            _fixed("project", recent, 0),
+            *_nodes(studio),
+            _fixed("project", recent, 0, {}),
         ]
     )
 
 
-def _fixed(kind: str, entries: Sequence[Entry], weight: int) -> Section:
-    return Section(kind, [entry.text for entry in entries], lambda at: entries[at], weight)
+def _fixed(kind: str, entries: Sequence[Entry], weight: int, words: Mapping[str, str]) -> Section:
+    others = [f"{words.get(entry.text, '')} {entry.detail}" for entry in entries]
+    return Section(kind, [entry.text for entry in entries], lambda at: entries[at], weight, others)
 
 
 def _actions(studio: Studio) -> Section:
     studio.actions.refresh()
     rows = [row for row in studio.actions.rows.values() if row.id != "help.palette"]
     texts = [studio.actions.text_of(row.id) for row in rows]
+    keys = [_keys(studio.actions[row.id]) for row in rows]
+    others = [
+        f"{OTHER_WORDS.get(row.id, '')} {row.text} {_menu(row)} {row.tip} {pressed}"
+        for row, pressed in zip(rows, keys, strict=True)
+    ]
 
     def entry(at: int) -> Entry:
         row, action = rows[at], studio.actions[rows[at].id]
-        keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
         do = action.trigger if action.isEnabled() else None
-        detail = row.menu if do is not None else f"{row.menu} · not possible now".lstrip(" ·")
-        return Entry("action", texts[at], detail, keys, do)
+        said = row.tip if do is not None else "not possible now"
+        return Entry("action", texts[at], " · ".join(filter(None, (row.menu, said))), keys[at], do)
 
-    return Section("action", texts, entry, 6)
+    return Section("action", texts, entry, 6, others)
+
+
+def _keys(action: QAction) -> str:
+    return action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+
+
+def _menu(row: ActionRow) -> str:
+    return f"{row.menu} {SUBMENUS.get((row.menu, row.group), '')}"
 
 
 def _behaviors(studio: Studio) -> Section:
@@ -157,7 +202,8 @@ def _behaviors(studio: Studio) -> Section:
 
         return Entry("behavior", name, type_name if automaton else f"{type_name} · basic", do=show)
 
-    return Section("behavior", [name for name, _, _ in found], entry, 5)
+    others = [f"{'automaton' if automaton else 'basic'} {type_name}" for _, type_name, automaton in found]
+    return Section("behavior", [name for name, _, _ in found], entry, 5, others)
 
 
 def _arms(studio: Studio) -> Section:
@@ -167,7 +213,7 @@ def _arms(studio: Studio) -> Section:
         arm = arms[at]
         return Entry("arm", arm.name, arm.note, do=lambda: studio.use_arm(arm.name))
 
-    return Section("arm", [arm.name for arm in arms], entry, 4)
+    return Section("arm", [arm.name for arm in arms], entry, 4, [arm.note for arm in arms])
 
 
 def _parameters(studio: Studio) -> Section:
@@ -185,7 +231,8 @@ def _parameters(studio: Studio) -> Section:
         ask = Ask(prompt, str(value), lambda typed: set_parameter(studio, names[at], typed))
         return Entry("parameter", texts[at], detail, asks=ask)
 
-    return Section("parameter", texts, entry, 3)
+    others = [f"{declared.metadata.get('doc', '')} {name}" for name, declared in fields.items()]
+    return Section("parameter", texts, entry, 3, others)
 
 
 def _value(studio: Studio, name: str) -> object:
@@ -229,19 +276,22 @@ def _typed(text: str, default: object) -> float | int | str | bool:
         raise ValueError(f"it is {what}, but not {plain!r}") from None
 
 
-def _nodes(studio: Studio) -> Section:
-    snapshot = studio.snapshot if studio.is_open else None
-    ids: Sequence[str] = () if snapshot is None else snapshot.place.ids
-    agents = 0 if snapshot is None else len(snapshot.place.agents)
-    first_agent = len(ids) - agents
+def _nodes(studio: Studio) -> tuple[Section, ...]:
+    """Controllers and agents, by what the user calls them and by their ids."""
+    if studio.snapshot is None or not studio.is_open:
+        return ()
+    place = studio.snapshot.place
+    agents = len(place.ids) - len(place.agents)
+    kinds = ("controller", slice(agents)), ("agent", slice(agents, None))
+    return tuple(_nodes_of(studio, kind, place.ids[part], place.names[part]) for kind, part in kinds)
 
+
+def _nodes_of(studio: Studio, kind: str, ids: Sequence[str], names: Sequence[str]) -> Section:
     def entry(at: int) -> Entry:
-        kind = "agent" if at >= first_agent else "controller"
-
         def show() -> None:
             studio.selection.select_nodes((ids[at],))
             studio.show_panel.emit("agents")
 
-        return Entry(kind, ids[at], do=show)
+        return Entry(kind, names[at], ids[at], do=show)
 
-    return Section("node", ids, entry)
+    return Section(kind, names, entry, others=ids)

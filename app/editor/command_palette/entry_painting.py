@@ -90,8 +90,8 @@ class EntryDelegate(QStyledItemDelegate):
         return right - width - 8
 
     def _name(self, painter: QPainter, rect: QRect, text: str, *, usable: bool) -> int:
-        """The name, the letters that were typed in the accent color; where it ends."""
-        found = set(places(self._model.query, text)) if self._model.query else set()
+        """The name, what was typed in the accent color; where it ends."""
+        found = set(places(self._model.words, text))
         left = rect.left() + MARGIN
         base, bold = text_font(), text_font(bold=True)
         for at, letter in enumerate(text):

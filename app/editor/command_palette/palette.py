@@ -9,6 +9,7 @@ from PySide6.QtCore import QAbstractListModel, QEvent, QModelIndex, QObject, QPe
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QListView, QVBoxLayout, QWidget
 
+from ..searching import words_in
 from ..theme import mixed
 from .catalog import Ask, Catalog, Entry
 from .entry_painting import EntryDelegate
@@ -27,12 +28,12 @@ class EntryModel(QAbstractListModel):
     def __init__(self) -> None:
         super().__init__()
         self.entries: list[Entry] = []
-        self.query = ""
+        self.words: tuple[str, ...] = ()
 
-    def show(self, query: str, entries: list[Entry]) -> None:
-        """Show these entries, found by *query*."""
+    def show(self, words: tuple[str, ...], entries: list[Entry]) -> None:
+        """Show these entries, found by *words*."""
         self.beginResetModel()
-        self.query, self.entries = query, entries
+        self.words, self.entries = words, entries
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
@@ -56,7 +57,7 @@ class EntryModel(QAbstractListModel):
 
 
 class Palette(QFrame):
-    """Finds things by a few letters; Enter does them, Esc leaves.
+    """Finds things by words or a few letters; Enter does them, Esc leaves.
 
     Attributes:
         line: Where the user types.
@@ -129,10 +130,12 @@ class Palette(QFrame):
         if self._catalog is None:
             return
         entries = self._catalog.find(text)
-        self.model.show("".join(text.split()), entries)
+        self.model.show(words_in(text), entries)
         self.problem.setVisible(not entries)
         if not entries:
-            self.problem.setText(f"Nothing is called anything like {text.strip()!r}.")
+            self.problem.setText(
+                f"Nothing is found by “{text.strip()}”. Fewer words, or fewer letters, find more."
+            )
         self._select(0, 1)
 
     def _select(self, row: int, step: int) -> None:

@@ -26,6 +26,7 @@ from ...core.project import Value
 from ...sim.parameters import default
 from ..icons import icon
 from ..number_box import RealBox, roomy
+from ..searching import has_words, words_in
 from .buttons import stand_back
 
 if TYPE_CHECKING:
@@ -196,9 +197,9 @@ class ParameterForm(QWidget):
             row.clear.setIcon(icon("restore", self._theme))
 
     def _filtered(self) -> None:
-        wanted = self.filter.text().casefold().strip()
+        wanted = words_in(self.filter.text())
         for name, row in self._rows.items():
-            found = wanted in f"{name} {self._fields[name].metadata['doc']}".casefold()
+            found = has_words(wanted, name.replace("_", " "), name, self._fields[name].metadata["doc"])
             for part in (row.label, row.editor, row.clear):
                 part.setVisible(found)
 

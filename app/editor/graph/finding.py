@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QWidgetAction
 
 from ..letters import unmarked
+from ..searching import has_words, words_in
 
 #: A menu of more entries than this is searched rather than read.
 MOST_READ = 24
@@ -74,11 +75,11 @@ class Finder(QObject):
         return told
 
     def _find(self, text: str) -> None:
-        wanted, room = text.strip().casefold(), MOST_FOUND
+        wanted, room = words_in(text), MOST_FOUND
         first: QAction | None = None
         for (section, *entries), rest in zip(self._parts, self._rest, strict=True):
             section.setVisible(not wanted)
-            found = [entry for entry in entries if wanted in unmarked(entry.text()).casefold()]
+            found = [entry for entry in entries if has_words(wanted, unmarked(entry.text()))]
             shown = found[: room if wanted else MOST_OF_PART]
             for entry in entries:
                 entry.setVisible(entry in shown)

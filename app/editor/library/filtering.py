@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSortFilterProxyModel
 
+from ...core.naming import lowered
+from ..searching import has_words, words_in
 from .model import LibraryModel
 from .survey import Row, RowKey, words_of
 
@@ -48,23 +50,23 @@ class LibraryFilter(QSortFilterProxyModel):
     def __init__(self, model: LibraryModel, words: Words) -> None:
         super().__init__()
         self._library = model
-        self._words = words
-        self.text = ""
+        self._words_of = words
+        self.words: tuple[str, ...] = ()
         self.setRecursiveFilteringEnabled(True)
         self.setSourceModel(model)
 
     def use(self, text: str) -> None:
         """Filter by *text*; an empty one keeps all."""
         self.beginFilterChange()
-        self.text = text.casefold().strip()
+        self.words = words_in(text)
         self.endFilterChange()
 
     def filterAcceptsRow(self, row: int, parent: QModelIndex | QPersistentModelIndex) -> bool:
         """Whether a behavior is left; groups are if something in them is."""
-        if not self.text:
+        if not self.words:
             return True
         found = self._library.row(self._library.index(row, 0, parent))
-        return found is not None and matches(found, self.text, self._words)
+        return found is not None and matches(found, self.words, self._words_of)
 
     def found(self) -> Iterator[QModelIndex]:
         """The behaviors that are left, from the top."""
@@ -78,20 +80,16 @@ class LibraryFilter(QSortFilterProxyModel):
 
     def _farness(self, index: QModelIndex) -> int:
         row = self._library.row(self.mapToSource(index))
-        name = "" if row is None else row.name.casefold()
-        return 0 if name == self.text else 1 if name.startswith(self.text) else 2 if self.text in name else 3
+        name, text = "" if row is None else lowered(row.name), " ".join(self.words)
+        return 0 if name == text else 1 if name.startswith(text) else 2 if has_words(self.words, name) else 3
 
 
-def matches(row: Row, text: str, words: Words) -> bool:
-    """Whether a behavior has all the words of *text*, which is in small letters."""
+def matches(row: Row, wanted: Sequence[str], words: Words) -> bool:
+    """Whether a behavior has all the words that are *wanted*, which are in small letters."""
     features, states = words(row)
-    places = {
-        FEATURE: " ".join(features).casefold(),
-        STATE: " ".join(states).casefold(),
-        "": " ".join((row.shown, *features, *states)).casefold(),
-    }
-    for word in text.split():
+    places = {FEATURE: features, STATE: states, "": (row.shown, *features, *states)}
+    looked_for: dict[str, list[str]] = {prefix: [] for prefix in places}
+    for word in wanted:
         prefix = next((p for p in (FEATURE, STATE) if word.startswith(p)), "")
-        if word.removeprefix(prefix) not in places[prefix]:
-            return False
-    return True
+        looked_for[prefix].append(word.removeprefix(prefix))
+    return all(has_words(looked_for[prefix], *texts) for prefix, texts in places.items())

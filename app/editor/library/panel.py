@@ -58,7 +58,7 @@ class LibraryPanel(QWidget):
         self._soon = Soon(self, self.follow)
         studio.actions.add(library_rows(self))
         self._lay_out()
-        NothingFound(self.tree, NOTHING_FOUND, lambda: bool(self.shown.text))
+        NothingFound(self.tree, NOTHING_FOUND, lambda: bool(self.shown.words))
         self._connect()
         self.follow()
 
@@ -294,11 +294,11 @@ class LibraryPanel(QWidget):
 
     def _filtered(self) -> None:
         """Typing looks for something and chooses nothing: what is shown elsewhere stays."""
-        was_filtered = bool(self.shown.text)
+        was_filtered = bool(self.shown.words)
         self._selecting = True
         self.shown.use(self.filter.text())
         self._selecting = False
-        if self.shown.text:
+        if self.shown.words:
             self.tree.expandAll()
             self._show_found()
         elif was_filtered:

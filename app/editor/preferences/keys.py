@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..actions import MENUS
 from ..forms.buttons import text_button
+from ..searching import has_words, words_in
 
 if TYPE_CHECKING:
     from ..actions import ActionRow
@@ -154,11 +155,11 @@ class KeysPage(QWidget):
         return self._ids[at] if 0 <= at < len(self._ids) else ""
 
     def _filter(self, text: str) -> None:
-        wanted = text.strip().lower()
+        wanted = words_in(text)
         for at in range(self.table.rowCount()):
             cells = (self.table.item(at, column) for column in (NAME, KEYS, MENU))
-            shown = any(cell is not None and wanted in cell.text().lower() for cell in cells)
-            self.table.setRowHidden(at, not shown)
+            texts = [cell.text() for cell in cells if cell is not None]
+            self.table.setRowHidden(at, not has_words(wanted, *texts))
 
     def _selected(self) -> None:
         action = self.action

@@ -9,6 +9,8 @@ from PySide6.QtGui import QColor, QHideEvent, QIcon, QKeyEvent, QPainter, QPixma
 from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from ...core.automaton import RaiseFlag
+from ...core.naming import lowered
+from ..searching import has_words, words_in
 from .choices import Choice
 
 WIDTH, HEIGHT = 300, 320
@@ -78,12 +80,12 @@ class AddList(QFrame):
         return super().eventFilter(watched, event)
 
     def _filter(self, text: str) -> None:
-        wanted = text.strip().lower()
-        found = [(choice, color) for choice, color in self._choices if wanted in choice.name.lower()]
+        wanted, name = words_in(text), lowered(text.strip())
+        found = [(choice, color) for choice, color in self._choices if has_words(wanted, choice.name)]
         self.list.clear()
         for choice, color in found:
             self.list.addItem(_item(choice, color))
-        if wanted and all(choice.name.lower() != wanted for choice, _ in found):
+        if wanted and all(lowered(choice.name) != name for choice, _ in found):
             flag = Choice(
                 f"new flag “{text.strip()}”",
                 RaiseFlag(text.strip()),

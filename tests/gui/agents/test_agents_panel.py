@@ -210,10 +210,11 @@ def test_add_puts_a_node_where_the_selection_is(panel: AgentsPanel, studio: Stud
     assert studio.selection.nodes == (added.id,)
 
 
+@pytest.mark.parametrize("query", ["agent 12", "12 Agent"])
 def test_the_filter_keeps_what_is_found_and_enter_selects_it(
-    panel: AgentsPanel, studio: Studio, qtbot: QtBot
+    panel: AgentsPanel, studio: Studio, qtbot: QtBot, query: str
 ) -> None:
-    qtbot.keyClicks(panel.filter, "agent 12")
+    qtbot.keyClicks(panel.filter, query)
     assert names(panel) == ["Group 3"]
     assert names(panel, panel.model.find("group-3")) == ["Agent 12"]
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)

@@ -4,9 +4,10 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.editor.command_palette.catalog import Catalog, Entry, Section
+from app.editor.command_palette.catalog import Catalog, Entry, Section, catalog_of
+from app.editor.command_palette.other_words import OTHER_WORDS, SETTING_WORDS
 from app.editor.command_palette.palette import Palette
-from app.editor.preferences.dialog import Preferences
+from app.editor.preferences.dialog import SETTINGS, Preferences
 from app.editor.studio import Studio
 from app.editor.theme import ThemeMode
 from app.editor.window.main_window import MainWindow
@@ -35,7 +36,8 @@ def first(palette: Palette, qtbot: QtBot, query: str) -> str:
     [
         ("rwb", "behavior: ReturnWithBox"),
         ("save as", "action: Save as…"),
-        ("agent-17", "agent: agent-17"),
+        ("agent-17", "agent: Agent 17"),
+        ("17 agent", "agent: Agent 17"),
         ("two lev", "arm: two levels"),
         ("grab range", "parameter: grab range"),
         ("autosave", "setting: Autosave interval"),
@@ -43,6 +45,85 @@ def first(palette: Palette, qtbot: QtBot, query: str) -> str:
 )
 def test_everything_is_found_by_a_few_letters(palette: Palette, qtbot: QtBot, query: str, found: str) -> None:
     assert first(palette, qtbot, query) == found
+
+
+#: What newcomers type, and what they are after.
+TYPED = {
+    "undo": "Undo",
+    "dark theme": "Dark theme",
+    "theme dark": "Dark theme",
+    "night mode": "Dark theme",
+    "save as": "Save as…",
+    "copy project": "Save as…",
+    "load project": "Open…",
+    "exit": "Quit",
+    "export c": "Export…",
+    "share behavior": "Export…",
+    "import library": "Import behaviors…",
+    "record": "Teach",
+    "replay": "Demonstrations…",
+    "fast": "Faster",
+    "speed": "Faster",
+    "slower": "Slower",
+    "slow down": "Slower",
+    "pause": "Play",
+    "restart": "Reset",
+    "random seed": "Reset with the next seed",
+    "collisions": "Rigid physics",
+    "autosave": "Autosave interval",
+    "font": "Size",
+    "shortcuts": "Keys",
+    "keys": "Keys",
+    "tutorial": "Guided first lesson",
+    "version": "About Understudy…",
+    "new behavior": "New automaton…",
+    "add agent": "Add node",
+    "number of agents": "Arms and worlds…",
+    "world size": "Arms and worlds…",
+    "compare": "Experiments…",
+    "statistics runs": "Experiments…",
+    "plot": "Plot over time",
+    "chart": "Plot over time",
+    "trail": "Trails of the selected",
+    "hulls": "Group hulls",
+    "sight": "sight",
+    "reset layout": "Standard layout",
+    "explain": "Show the examples that decide",
+    "ctrl+s": "Save",
+}
+
+
+def test_newcomers_find_what_they_are_after_by_their_own_words(palette: Palette, qtbot: QtBot) -> None:
+    missed = {}
+    for query, wanted in TYPED.items():
+        palette.line.clear()
+        qtbot.keyClicks(palette.line, query)
+        found = [entry.text for entry in palette.model.entries[:3]]
+        if wanted not in found:
+            missed[query] = found
+    assert not missed
+
+
+def test_other_words_are_those_of_actions_and_settings_that_there_are(
+    palette: Palette, studio: Studio
+) -> None:
+    assert set(OTHER_WORDS) <= set(studio.actions.rows)
+    assert set(SETTING_WORDS) == {text for _, text, _ in SETTINGS}
+
+
+def test_every_action_is_found_by_its_name_with_the_words_turned_around(
+    palette: Palette, studio: Studio
+) -> None:
+    catalog = catalog_of(studio)
+    names = {
+        action: studio.actions.text_of(action) for action in studio.actions.rows if action != "help.palette"
+    }
+    missed = [
+        name
+        for name in names.values()
+        if name not in [entry.text for entry in catalog.find(" ".join(reversed(name.rstrip("…").split())))]
+    ]
+    assert not missed
 
 
 def test_enter_does_an_action(palette: Palette, qtbot: QtBot, studio: Studio) -> None:
@@ -103,7 +184,7 @@ def test_arrow_keys_move_and_escape_leaves(palette: Palette, qtbot: QtBot) -> No
 def test_what_is_not_there_is_said_to_be_not_there(palette: Palette, qtbot: QtBot) -> None:
     palette.line.clear()
     qtbot.keyClicks(palette.line, "xyzzyq")
-    assert "Nothing is called" in palette.problem.text()
+    assert "Nothing is found by" in palette.problem.text()
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible()
 
@@ -123,3 +204,11 @@ def test_more_letters_narrow_down_what_fewer_found() -> None:
         narrowed = grown.find("agent-49"[:end])
     assert narrowed == fresh.find("agent-49")
     assert narrowed[0].text == "agent-49"
+
+
+def test_an_agent_is_found_by_all_of_its_words_among_ten_thousand() -> None:
+    names = [f"Agent {number}" for number in range(1, 10001)]
+    ids = [name.lower().replace(" ", "-") for name in names]
+    catalog = Catalog([Section("agent", names, lambda at: Entry("agent", names[at]), others=ids)])
+    for query in ("Agent 9876", "9876", "9876 agent", "agent-9876", "a9876"):
+        assert catalog.find(query)[0].text == "Agent 9876"

@@ -11,6 +11,7 @@ from app.core.storage import load
 from app.editor.library.filtering import matches
 from app.editor.library.fits import fit_of
 from app.editor.library.survey import Group, Kind, Row, RowKey, Surveyor, from_the_top
+from app.editor.searching import words_in
 from app.engine.scenarios import open_scenario
 from app.learner.freshness import Freshness
 
@@ -91,10 +92,10 @@ def test_the_filter_looks_where_it_is_told(project: Project) -> None:
     def words(_row: Row) -> tuple[tuple[str, ...], tuple[str, ...]]:
         return ("DistanceTo(X)",), ("Forward", "left")
 
-    assert matches(row, "goto", words)
-    assert matches(row, "feature:distance state:left", words)
-    assert not matches(row, "feature:left", words)
-    assert not matches(row, "state:distance", words)
+    assert matches(row, words_in("goto"), words)
+    assert matches(row, words_in("feature:distance state:left"), words)
+    assert not matches(row, words_in("feature:left"), words)
+    assert not matches(row, words_in("state:distance"), words)
 
 
 def test_a_fit_says_how_many_examples_its_models_get_right(project: Project) -> None:
