@@ -6,6 +6,7 @@ every controller's agents have consecutive numbers.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from .errors import HierarchyError
 from .library import NodeType
@@ -34,7 +35,7 @@ class Node:
         return (node for node in self.walk() if not node.children)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)  # no slots: what is derived is kept once it was asked for
 class Hierarchy:
     """A forest of nodes."""
 
@@ -42,20 +43,36 @@ class Hierarchy:
 
     def walk(self) -> Iterator[Node]:
         """All nodes, parents first."""
-        return _walk(self.roots)
+        return iter(self._walked)
 
     def agents(self) -> tuple[Node, ...]:
         """All agents, in the order of their numbers."""
-        return tuple(node for node in self.walk() if not node.children)
+        return self._agents
 
     def controllers(self) -> tuple[Node, ...]:
         """All controllers, the highest level first, each level in the order of the walk."""
-        inner = [node for node in self.walk() if node.children]
-        return tuple(sorted(inner, key=lambda node: -node.level))
+        return self._controllers
 
     def parents(self) -> Mapping[str, str]:
         """Node id -> id of its controller, for all that have one."""
-        return {child.id: node.id for node in self.walk() for child in node.children}
+        return self._parents
+
+    @cached_property
+    def _walked(self) -> tuple[Node, ...]:
+        return tuple(_walk(self.roots))
+
+    @cached_property
+    def _agents(self) -> tuple[Node, ...]:
+        return tuple(node for node in self._walked if not node.children)
+
+    @cached_property
+    def _controllers(self) -> tuple[Node, ...]:
+        inner = [node for node in self._walked if node.children]
+        return tuple(sorted(inner, key=lambda node: -node.level))
+
+    @cached_property
+    def _parents(self) -> Mapping[str, str]:
+        return {child.id: node.id for node in self._walked for child in node.children}
 
     def node(self, node_id: str) -> Node:
         """The node with this id.

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from .automaton import State
 from .errors import EditError
@@ -18,12 +19,17 @@ Position = tuple[float, float]
 Positions = Mapping[str, Position]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)  # no slots: what is derived is kept once it was asked for
 class LevelTable:
     """The quick way to make a forest: sizes and types from the roots down."""
 
     sizes: tuple[int, ...]
     types: tuple[str, ...]
+
+    @cached_property
+    def forest(self) -> Hierarchy:
+        """The forest in full."""
+        return from_table(self.sizes, self.types)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +52,7 @@ class Arm:
     def forest(self) -> Hierarchy:
         """The forest in full."""
         if isinstance(self.hierarchy, LevelTable):
-            return from_table(self.hierarchy.sizes, self.hierarchy.types)
+            return self.hierarchy.forest
         return self.hierarchy
 
 

@@ -5,9 +5,8 @@ it. What the user moved is moved again when its tick comes.
 """
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from ..core.errors import SessionError
 from ..core.machine_state import MachineState
@@ -35,12 +34,6 @@ class Keyframe:
         """Let all be as it was."""
         engine.restore({name: column.tolist() for name, column in self.world.items()}, self.machine)
 
-    @property
-    def size(self) -> int:
-        """About how many bytes it takes."""
-        nodes: Mapping[str, Any] = self.machine["nodes"]
-        return sum(column.nbytes for column in self.world.values()) + NODE_BYTES * len(nodes)
-
 
 def keep(engine: Engine) -> Keyframe:
     """The moment that is now.
@@ -48,7 +41,8 @@ def keep(engine: Engine) -> Keyframe:
     Raises:
         ScenarioError: The scenario has put something into a column that does not belong there.
     """
-    return Keyframe(engine.tick, engine.columns(), engine.frozen_nodes())
+    nodes = engine.frozen_nodes()  # first: then the columns of a compiled run are taken as they are
+    return Keyframe(engine.tick, engine.columns(), nodes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,11 +60,13 @@ class Timeline:
 
     def __init__(self, engine: Engine) -> None:
         """Begin with what is now."""
-        self._spacing = SPACING * max(1, len(engine.shown.actors) // NODES)
+        nodes = len(engine.shown.actors)
+        self._spacing = SPACING * max(1, nodes // NODES)
         self._rigid = engine.start.physics != "kinematic"
         self._frames = [keep(engine)]
         self._hands: list[Hand] = []
-        self._most = min(MOST, max(3, BUDGET // max(1, self._frames[0].size)))
+        size = sum(column.nbytes for column in self._frames[0].world.values()) + NODE_BYTES * nodes
+        self._most = min(MOST, max(3, BUDGET // max(1, size)))
 
     @property
     def beginning(self) -> int:

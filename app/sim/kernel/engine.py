@@ -193,8 +193,11 @@ class KernelEngine:
         return {name: tuple(self._flat.numbers(name)) for name in self._flat.world}
 
     def frozen_nodes(self) -> MachineState:
-        """A copy of what all nodes do now: of columns, which take a while to be put into words, when it is looked at."""
-        if not self._in_columns:
+        """A copy of what all nodes do now: of columns, which take a while to be put into words, when it is looked at.
+
+        It is kept of worlds that run free, which go on in columns anyway.
+        """
+        if not self._to_columns():
             return self._reference.frozen_nodes()
         assert self._lowered is not None
         return FrozenRuns(self._flat.runs, self._lowered.program, self._reference.machine.actors, self.tick)
@@ -270,7 +273,8 @@ class _Lowered:
         self._types: Types = machine.types
         self._classifiers = machine.classifiers
         self._needs = needs
-        self.program = lower(start.hierarchy, machine.types, start.scenario, machine.classifiers, needs)
+        actors = machine.actors.values()
+        self.program = lower(actors, machine.types, start.scenario, machine.classifiers, needs)
         self.viewer = Viewer(self.program)
         self.lookout = Lookout(start, machine, self.program, shape)
         self._still: tuple[frozenset[str], Column | None] = frozenset(), np.zeros(0, np.int64)

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
 from ...core.actor import Actor, Argument, Arguments, Run
 from ...core.automaton import START, Automaton
 from ...core.errors import ProgramError
@@ -108,62 +110,82 @@ def runs_of(machine: Machine, program: Program) -> dict[str, Column]:
     Raises:
         ProgramError: A node does something that the program does not know.
     """
-    writer = _Writer(program)
-    for node, actor in enumerate(machine.actors.values()):
-        writer.node(node, actor)
     columns = new_runs(program.sizes)
-    for name, values in writer.columns.items():
-        columns[name][: len(values)] = values
+    writer, actors = _Writer(program, columns), list(machine.actors.values())
+    writer.nodes(actors)
+    level, links = 0, [(node, actor.node.type, actor.run) for node, actor in enumerate(actors)]
+    while running := [(node, kind, run) for node, kind, run in links if run is not None]:
+        writer.runs(level, running)
+        level, links = level + 1, [(node, kind, run.child) for node, kind, run in running]
     columns["once"][MACHINE_KEY] = machine.key
     return columns
 
 
 class _Writer:
-    """Fills lists, which plain Python writes several times faster than arrays."""
+    """Writes whole columns: there may be ten thousand nodes, and most of them do what others do as well."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, columns: Mapping[str, Column]) -> None:
         self._program = program
         self._sizes = program.sizes
+        self._columns = columns
         self._nodes = {node_id: k for k, node_id in enumerate(program.nodes)}
         self._targets = {name: k for k, name in enumerate(program.targets)}
         self._flags = {name: 1 << k for k, name in enumerate(program.flags)}
-        lengths = _lengths(program.sizes)
-        self.columns = {name: [0] * lengths[name] for name in _SAVED}
-        self.columns["direction"] = [-1] * lengths["direction"]
 
-    def node(self, node: int, actor: Actor) -> None:
-        columns, level, run = self.columns, 0, actor.run
-        columns["node_flags"][node] = self._mask(actor.flags)
-        columns["left"][node] = int(actor.left)
-        if actor.direction is not None:
-            name, arguments = actor.direction
-            row = self._program.basic_rows[actor.node.type, name]
-            columns["direction"][node] = row
-            parameters = self._program.basics[row][1].parameters
-            self._arguments("direction_", node, parameters, arguments)
-        while run is not None:
-            self._run(node * self._sizes.levels + level, actor.node.type, run)
-            level, run = level + 1, run.child
-        columns["depth"][node] = level
+    def nodes(self, actors: Sequence[Actor]) -> None:
+        """Write what nodes show and direct."""
+        columns, count = self._columns, len(actors)
+        columns["node_flags"][:count] = [self._mask(actor.flags) if actor.flags else 0 for actor in actors]
+        columns["left"][:count] = [actor.left for actor in actors]
+        for node, actor in enumerate(actors):
+            if actor.direction is not None:
+                name, arguments = actor.direction
+                row = self._program.basic_rows[actor.node.type, name]
+                columns["direction"][node] = row
+                parameters = self._program.basics[row][1].parameters
+                self._arguments("direction_", node, parameters, arguments)
 
-    def _run(self, row: int, kind: str, run: Run) -> None:
-        columns, state = self.columns, 0
+    def runs(self, level: int, running: Sequence[tuple[int, str, Run]]) -> None:
+        """Write the runs at a level of nodes, given with their types; each of them has one at every level above."""
+        columns, words = self._columns, self._sizes.key_words
+        nodes = np.array([node for node, _, _ in running])
+        rows = nodes * self._sizes.levels + level
+        columns["depth"][nodes] = level + 1
+        columns["entered"][rows] = [run.entered for _, _, run in running]
+        columns["pulsed"][rows] = [run.pulsed for _, _, run in running]
+        columns["flags"][rows] = [self._mask(run.flags) if run.flags else 0 for _, _, run in running]
+        described = self._described([(kind, run) for _, kind, run in running])
+        columns["what"][rows], columns["state"][rows], columns["leaf"][rows] = described[:, :_WORDS].T
+        columns["keys"][rows[:, None] * words + np.arange(words)] = described[:, _WORDS:]
+        for row, (_, _, run) in zip(rows.tolist(), running, strict=True):
+            if run.arguments or run.behavior.parameters:
+                self._arguments("", row, run.behavior.parameters, run.arguments)
+
+    def _described(self, runs: Iterable[tuple[str, Run]]) -> Column:
+        """For each run a row: what it runs, the state, the leaf, and the words of what decided."""
+        places: dict[tuple[str, int, str, object], int] = {}  # of those that are alike
+        table: list[list[int]] = []
+        found: list[int] = []
+        for kind, run in runs:
+            alike = kind, id(run.behavior), run.state, run.key
+            place = places.get(alike)
+            if place is None:
+                place = places[alike] = len(table)
+                table.append(self._description(kind, run))
+            found.append(place)
+        return np.array(table, np.int64)[found]
+
+    def _description(self, kind: str, run: Run) -> list[int]:
+        program, state = self._program, 0
         if isinstance(run.behavior, Automaton):
-            what = self._program.automaton_rows[kind, run.behavior.id]
-            state = self._program.automata[what].states[run.state]
+            what = program.automaton_rows[kind, run.behavior.id]
+            state = program.automata[what].states[run.state]
         else:
-            what = -1 - self._program.basic_rows[kind, run.behavior.name]
-        columns["what"][row] = what
-        columns["state"][row] = state
-        columns["entered"][row] = run.entered
-        columns["flags"][row] = self._mask(run.flags)
-        columns["pulsed"][row] = int(run.pulsed)
-        words = self._program.key_words(state, run.key) if state else [NO_KEY]
-        alone = bool(state) and self._program.states[state].plain and words[0] == LEARNED
-        columns["leaf"][row] = words[KEY_HEAD] if alone else NO_LEAF
-        at = row * self._sizes.key_words
-        columns["keys"][at : at + len(words)] = words
-        self._arguments("", row, run.behavior.parameters, run.arguments)
+            what = -1 - program.basic_rows[kind, run.behavior.name]
+        words = program.key_words(state, run.key) if state else [NO_KEY]
+        alone = bool(state) and program.states[state].plain and words[0] == LEARNED
+        leaf = words[KEY_HEAD] if alone else NO_LEAF
+        return [what, state, leaf, *words, *(0 for _ in range(self._sizes.key_words - len(words)))]
 
     def _arguments(self, kind: str, row: int, parameters: Iterable[str], arguments: Arguments) -> None:
         at = row * self._sizes.arguments
@@ -175,13 +197,15 @@ class _Writer:
                 raise ProgramError(
                     f"a node runs a behavior for a target {given.target!r} that does not exist"
                 )
-            self.columns[kind + "argument"][at + k] = self._targets[given.target]
-            self.columns[kind + "owner"][at + k] = self._nodes[given.owner]
+            self._columns[kind + "argument"][at + k] = self._targets[given.target]
+            self._columns[kind + "owner"][at + k] = self._nodes[given.owner]
 
     def _mask(self, flags: Iterable[str]) -> int:
         return sum(self._flags[flag] for flag in flags)
 
 
+#: Of what describes a run, those before the words of what decided: what it runs, the state, the leaf.
+_WORDS = 3
 #: What is kept between ticks.
 _SAVED = (
     "depth",

@@ -2,10 +2,11 @@
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 import numpy as np
 
-from ...core.actor import actors
+from ...core.actor import Actor
 from ...core.automaton import (
     START,
     Automaton,
@@ -31,7 +32,6 @@ from ...core.features import (
     describe,
     empty_statistic,
 )
-from ...core.hierarchy import Hierarchy
 from ...core.library import Types, statistic_vocabulary
 from ...core.machine import Classifiers
 from ...core.tree import Forest, Tree
@@ -45,15 +45,18 @@ from .tables import TABLE_COLUMNS, Program, Sizes, StateRow
 
 
 def lower(
-    hierarchy: Hierarchy, types: Types, scenario: Scenario, classifiers: Classifiers, needs: Needs
+    actors: Iterable[Actor], types: Types, scenario: Scenario, classifiers: Classifiers, needs: Needs
 ) -> Program:
     """The program of a forest whose nodes are in the middle of *needs*.
+
+    Args:
+        actors: All nodes, in the order in which they tick.
 
     Raises:
         ProgramError: Something that can be reached has no flat form: a classifier that is no tree, an open binding.
     """
     try:
-        return _Lowering(hierarchy, types, scenario, classifiers).program(needs)
+        return _Lowering(actors, types, scenario, classifiers).program(needs)
     except ProgramError:
         raise
     except (UnderstudyError, KeyError) as error:
@@ -73,11 +76,11 @@ class _Rows:
 
 class _Lowering:
     def __init__(
-        self, hierarchy: Hierarchy, types: Types, scenario: Scenario, classifiers: Classifiers
+        self, actors: Iterable[Actor], types: Types, scenario: Scenario, classifiers: Classifiers
     ) -> None:
         self._types = types
         self._classifiers = classifiers
-        self._actors = list(actors(hierarchy).values())
+        self._actors = list(actors)
         self._agent_features = statistic_vocabulary(types)
         self._type_rows = {name: k for k, name in enumerate(dict.fromkeys(a.node.type for a in self._actors))}
         self._reached = Reached(types, self._actors)
@@ -294,20 +297,18 @@ class _Lowering:
         return self._automaton_rows[kind, started]
 
     def _nodes(self) -> None:
-        rows = {actor.node.id: k for k, actor in enumerate(self._actors)}
-        at = 0
-        for actor in self._actors:
-            self._rows.add(
-                type=self._type_rows[actor.node.type],
-                parent=-1 if actor.parent is None else rows[actor.parent],
-                first_member=actor.members.start,
-                end_member=actor.members.stop,
-                children_at=at,
-                children_end=at + len(actor.children),
-            )
-            for child in actor.children:
-                self._rows.add(child=rows[child.node.id])
-            at += len(actor.children)
+        actors = self._actors
+        rows = {actor.node.id: row for row, actor in enumerate(actors)}
+        ends = list(accumulate(len(actor.children) for actor in actors))
+        self._rows.columns |= {  # whole columns: there may be ten thousand nodes
+            "type": [self._type_rows[actor.node.type] for actor in actors],
+            "parent": [-1 if actor.parent is None else rows[actor.parent] for actor in actors],
+            "first_member": [actor.members.start for actor in actors],
+            "end_member": [actor.members.stop for actor in actors],
+            "children_at": [0, *ends[:-1]],
+            "children_end": ends,
+            "child": [rows[child.node.id] for actor in actors for child in actor.children],
+        }
 
     # -------------------------------------------------------------------------------------- the result
 

@@ -41,6 +41,7 @@ def needs_of(machine: Machine) -> Needs:
         ProgramError: A node still runs a behavior that its library has in another version now.
     """
     automata, basics, states, flags = set(), set(), set(), set()
+    seen: set[tuple[str, int, str]] = set()  # most nodes do what others do as well
     for actor in machine.actors.values():
         kind, run = actor.node.type, actor.run
         flags |= actor.flags
@@ -49,12 +50,14 @@ def needs_of(machine: Machine) -> Needs:
         while run is not None:
             flags |= run.flags
             behavior = run.behavior
-            if isinstance(behavior, Automaton):
-                _refuse_old(machine, kind, behavior, run)
-                automata.add((kind, behavior.id))
-                states.add((kind, behavior.id, run.state))
-            else:
-                basics.add((kind, behavior.name))
+            if (alike := (kind, id(behavior), run.state)) not in seen:
+                seen.add(alike)
+                if isinstance(behavior, Automaton):
+                    _refuse_old(machine, kind, behavior, run)
+                    automata.add((kind, behavior.id))
+                    states.add((kind, behavior.id, run.state))
+                else:
+                    basics.add((kind, behavior.name))
             run = run.child
     return Needs(frozenset(automata), frozenset(basics), frozenset(states), frozenset(flags))
 

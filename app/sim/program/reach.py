@@ -106,7 +106,8 @@ def _types_below(actors: Sequence[Actor]) -> Mapping[str, tuple[str, ...]]:
     """For each type of controllers, the types of their subsidiaries."""
     below: dict[str, dict[str, None]] = {}
     for actor in actors:
-        below.setdefault(actor.node.type, {}).update(dict.fromkeys(c.node.type for c in actor.children))
+        if actor.children:
+            below.setdefault(actor.node.type, {}).update(dict.fromkeys(c.node.type for c in actor.children))
     return {kind: tuple(found) for kind, found in below.items()}
 
 

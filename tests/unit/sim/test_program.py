@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from app.core.actor import actors
 from app.core.automaton import START, Automaton, Basic, Rule, State
 from app.core.conditions import AtMost, Condition
 from app.core.errors import ProgramError
@@ -29,7 +30,7 @@ def program_of(name: str, types: Types | None = None) -> Program:
     machine = Machine(forest, types, key=1)
     for root in forest.roots:
         machine.direct(root.id, top)
-    return lower(forest, types, foraging, stored_classifiers, needs_of(machine))
+    return lower(machine.actors.values(), types, foraging, stored_classifiers, needs_of(machine))
 
 
 def with_wander(change: Change, extra: tuple[Automaton, ...] = ()) -> Types:
@@ -73,7 +74,7 @@ def test_unused_states_are_trimmed() -> None:
 def test_a_state_that_a_node_is_in_is_kept_though_nothing_leads_there() -> None:
     types = with_wander(lambda a: replace(a, states=(*a.states, State("unused", Basic("Forward")))))
     needs = Needs(frozenset({(AGENT, "Wander")}), states=frozenset({(AGENT, "Wander", "unused")}))
-    program = lower(foragers.alone(), types, foraging, stored_classifiers, needs)
+    program = lower(actors(foragers.alone()).values(), types, foraging, stored_classifiers, needs)
     assert "unused" in [state.id for state in program.states]
 
 
@@ -160,7 +161,9 @@ def test_a_flag_that_nodes_show_is_known_though_no_behavior_raises_it() -> None:
     run = machine.actors["agent-1"].run
     assert run is not None
     run.flags.add("strange")
-    program = lower(foragers.alone(), foragers.types(), foraging, stored_classifiers, needs_of(machine))
+    program = lower(
+        machine.actors.values(), foragers.types(), foraging, stored_classifiers, needs_of(machine)
+    )
     assert "strange" in program.flags
 
 

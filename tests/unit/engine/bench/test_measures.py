@@ -89,7 +89,7 @@ def test_unused_behaviors_are_in_the_program_that_runs(tiny: Subject) -> None:
     start = rates.start_of(tiny.arm("independent", many), 1)
     machine = Machine(start.hierarchy, start.types, 1)
     needs = Needs(automata=frozenset({("agent", "forage")}))
-    program = lower(start.hierarchy, machine.types, start.scenario, stored_classifiers, needs)
+    program = lower(machine.actors.values(), machine.types, start.scenario, stored_classifiers, needs)
     assert sum(row.automaton.name.startswith("Unused") for row in program.automata) == 40
 
 
