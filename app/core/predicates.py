@@ -81,10 +81,13 @@ def _toroidal(feature: Feature, slots: Mapping[str, str], arc: Arc) -> str:
     seam = -feature.period / 2
     inside = arc.start < arc.end or arc.end <= seam
     start, end = (arc.start, arc.end) if inside else (arc.end, arc.start)
-    words = ends(feature, start, feature.period / 2 if end <= seam else end)
-    return _put(
-        feature.phrases.true if inside else feature.phrases.false, slots, start=words[0], end=words[1]
-    )
+    first, last = ends(feature, start, feature.period / 2 if end <= seam else end)
+    phrases = feature.phrases
+    if last == _united(feature, first):
+        only = _put(phrases.at if inside else phrases.not_at, slots, value=last)
+        if only:
+            return only
+    return _put(phrases.true if inside else phrases.false, slots, start=first, end=last)
 
 
 def _continuous(feature: Feature, slots: Mapping[str, str], low: float, high: float) -> str:
@@ -149,7 +152,8 @@ def _arc(feature: Feature, arc: Arc) -> str:
     inside = arc.start < arc.end or arc.end <= seam
     start, end = (arc.start, arc.end) if inside else (arc.end, arc.start)
     first, last = ends(feature, start, -seam if end <= seam else end)
-    return f"{'' if inside else 'not '}between {first} and {last}"
+    where = last if last == _united(feature, first) else f"between {first} and {last}"
+    return f"{'' if inside else 'not '}{where}"
 
 
 def _range(feature: Feature, low: float, high: float) -> str:

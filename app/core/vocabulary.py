@@ -43,7 +43,7 @@ class Phrases:
         true, false: For boolean features; for toroidal ones in and outside of an arc, from {start} to {end}; for
             categorical ones with or without the category {value}.
         above, below, between: For continuous features: above {value}, at most {value}, above {low} and at most {high}.
-        at: The value itself, {value}.
+        at, not_at: The value itself, {value}; any other one, for toroidal features.
         some, none: That there is a target to the feature, or none; where its default is above all values with a target.
         detail: What explanations add to *true* and *false*: "that still needs pullers".
     """
@@ -57,6 +57,7 @@ class Phrases:
     some: str = ""
     none: str = ""
     detail: str = ""
+    not_at: str = ""
 
 
 @dataclass(frozen=True, slots=True)

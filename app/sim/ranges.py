@@ -17,6 +17,7 @@ SLOTS: Mapping[str, tuple[str, ...]] = {
     "below": ("value",),
     "between": ("low", "high"),
     "at": ("value",),
+    "not_at": ("value",),
 }
 
 

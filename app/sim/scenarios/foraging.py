@@ -148,6 +148,7 @@ def distance_to(world: World, me: int, target: int) -> float:
         true="{target} lies between {start} and {end}",
         false="{target} does not lie between {start} and {end}",
         at="{target} lies at {value}",
+        not_at="{target} does not lie at {value}",
     ),
 )
 def direction_to(world: World, me: int, target: int) -> float:
