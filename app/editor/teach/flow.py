@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from PySide6.QtCore import QRect, QSize, Qt, Signal
@@ -14,6 +15,9 @@ GAP = 6
 MOST_ROWS, ROW = 3, 40
 #: What may be there makes no more rows than these.
 EXTRA_ROWS = 2
+#: Width and height of a button, and whether it must be there; left, top, width and height.
+Button = tuple[int, int, bool]
+Rect = tuple[int, int, int, int]
 
 
 class ButtonFlow(QWidget):
@@ -85,37 +89,45 @@ class ButtonFlow(QWidget):
             widget.setVisible(widget in placed)
 
     def _placed(self, width: int) -> dict[QWidget, QRect]:
-        lowest = max(self._top_of_last(self._needed, width), (EXTRA_ROWS - 1) * (ROW + GAP))
-        shown = set(self._needed)
-        for widget in self._order:
-            if widget not in shown:
-                if self._top_of_last({*shown, widget}, width) > lowest:
-                    break
-                shown.add(widget)
-        return self._in_rows(shown, width)
-
-    def _top_of_last(self, shown: Collection[QWidget], width: int) -> int:
-        """The top of the lowest row that these take."""
-        return max((rect.top() for rect in self._in_rows(shown, width).values()), default=0)
-
-    def _in_rows(self, shown: Collection[QWidget], width: int) -> dict[QWidget, QRect]:
-        placed: dict[QWidget, QRect] = {}
-        at = 0, 0, 0
-        for widget in self._order:
-            if widget in shown:
-                at = _put(placed, widget, *at, width)
-        return placed
+        sizes = (widget.sizeHint().expandedTo(widget.minimumSize()) for widget in self._order)
+        buttons = tuple(
+            (*size.toTuple(), widget in self._needed) for size, widget in zip(sizes, self._order, strict=True)
+        )
+        rects = rows_of(buttons, width)
+        return {widget: QRect(*rect) for widget, rect in zip(self._order, rects, strict=True) if rect}
 
 
-def _put(
-    placed: dict[QWidget, QRect], widget: QWidget, x: int, y: int, row: int, width: int
-) -> tuple[int, int, int]:
-    """Put a widget behind the others, or in a new row; where the next one goes."""
-    size = widget.sizeHint().expandedTo(widget.minimumSize())
-    if x and x + size.width() > width:
-        x, y, row = 0, y + row + GAP, 0
-    placed[widget] = QRect(x, y, size.width(), size.height())
-    return x + size.width() + GAP, y, max(row, size.height())
+@lru_cache(maxsize=64)  # layouts ask again and again
+def rows_of(buttons: tuple[Button, ...], width: int) -> tuple[Rect | None, ...]:
+    """Where buttons are in rows of a width; None for what there is no room for."""
+    needed = frozenset(k for k, (*_, is_needed) in enumerate(buttons) if is_needed)
+    lowest = max(_top_of_last(buttons, needed, width), (EXTRA_ROWS - 1) * (ROW + GAP))
+    shown = set(needed)
+    for k in range(len(buttons)):
+        if k not in shown:
+            if _top_of_last(buttons, {*shown, k}, width) > lowest:
+                break
+            shown.add(k)
+    return _in_rows(buttons, shown, width)
+
+
+def _top_of_last(buttons: Sequence[Button], shown: Collection[int], width: int) -> int:
+    """The top of the lowest row that these take."""
+    return max((rect[1] for rect in _in_rows(buttons, shown, width) if rect), default=0)
+
+
+def _in_rows(buttons: Sequence[Button], shown: Collection[int], width: int) -> tuple[Rect | None, ...]:
+    found: list[Rect | None] = []
+    x = y = row = 0
+    for k, (wide, high, _) in enumerate(buttons):
+        if k not in shown:
+            found.append(None)
+            continue
+        if x and x + wide > width:
+            x, y, row = 0, y + row + GAP, 0
+        found.append((x, y, wide, high))
+        x, row = x + wide + GAP, max(row, high)
+    return tuple(found)
 
 
 class Rows(QScrollArea):

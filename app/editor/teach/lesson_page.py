@@ -14,6 +14,7 @@ from ...core.wording import example_words
 from ...engine.snapshots import LessonView, Snapshot
 from ..forms.buttons import opens
 from ..selection import BehaviorKey
+from ..soon import Soon
 from .adding import AddList
 from .button import BehaviorButton, Ring
 from .choices import Choice, choices_of, examples_by_label, kept_in_place
@@ -76,14 +77,17 @@ class LessonPage(QWidget):
 
     def _connect(self) -> None:
         studio = self._studio
-        studio.document.project_changed.connect(self.refresh)
+        soon = Soon(
+            self, self.refresh
+        )  # a pick changes the project, what was learned from it, and the lesson
+        studio.document.project_changed.connect(soon.ask)
         studio.colors.changed.connect(self._rebuild)
         studio.theme.changed.connect(self._rebuild)
         studio.settings.changed.connect(self._rebuild)
         studio.settings.changed.connect(self._tell_key)
         studio.bridge.mode_changed.connect(self.refresh)
         studio.bridge.snapshot_changed.connect(self._snapshot_changed)
-        self._teaching.changed.connect(self.refresh)
+        self._teaching.changed.connect(soon.ask)
         self._teaching.choosing.changed.connect(self._tell)
         self._dress()
         self._tell_key()

@@ -64,7 +64,7 @@ def test_ctrl_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
     hand.key(Qt.Key.Key_Tab, CONTROL)
     assert hand.studio.teaching.node == "agent-7"
     assert hand.studio.selection.node == "agent-7"
-    assert hand.page.turn.text() == "2 of 2: Agent 7"
+    hand.wait(lambda: hand.page.turn.text() == "2 of 2: Agent 7")
     hand.settle()
     hand.pick("RotateLeft")
     assert hand.examples[-1].node == "agent-7"
