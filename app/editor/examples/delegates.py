@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .model import ExamplesModel
 
 Index = QModelIndex | QPersistentModelIndex
-LIGHTEST, HEAVIEST = 0.01, 1_000_000.0
+HEAVIEST = 1_000_000.0
 
 
 class LabelDelegate(QStyledItemDelegate):
@@ -51,12 +51,12 @@ class LabelDelegate(QStyledItemDelegate):
 
 
 class WeightDelegate(QStyledItemDelegate):
-    """A weight above 0."""
+    """A number; 0 can be typed, so that whoever does is told how an example is left out."""
 
     def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: Index) -> QWidget:
         """A number to type."""
         box = roomy(RealBox(parent))
-        box.setRange(LIGHTEST, HEAVIEST)
+        box.setRange(0.0, HEAVIEST)
         box.setDecimals(2)
         box.setFrame(False)
         return box

@@ -17,7 +17,7 @@ from ..forms.nothing import NothingFound
 from ..icons import icon
 from ..row_spans import selected_rows, spans
 from ..soon import Soon
-from .delegates import HEAVIEST, LIGHTEST
+from .delegates import HEAVIEST
 from .filters import FilterBar
 from .model import Column, ExamplesModel, Subject, same_behavior, states_of
 from .rows import example_rows
@@ -315,7 +315,7 @@ class ExamplesPanel(QWidget):
         first = self._first_chosen()
         now = 1.0 if first is None else first.weight
         weight, ok = QInputDialog.getDouble(
-            self, "Weight", "Each of the selected examples counts as", now, LIGHTEST, HEAVIEST, 2
+            self, "Weight", "Each of the selected examples counts as", now, 0.0, HEAVIEST, 2
         )
         if ok:
             self._change(weight_examples, self.chosen, weight)

@@ -173,6 +173,21 @@ def test_a_weight_is_typed(window: MainWindow, panel: ExamplesPanel, qtbot: QtBo
     qtbot.waitUntil(lambda: examples(window)[0].weight == 3.0, timeout=PATIENCE)
 
 
+def test_who_types_a_weight_of_nothing_is_told_how_an_example_is_left_out(
+    window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
+) -> None:
+    double_click(qtbot, panel, 0, Column.WEIGHT)
+    box = panel.table.viewport().findChild(QDoubleSpinBox)
+    assert isinstance(box, QDoubleSpinBox)
+    box.selectAll()
+    qtbot.keyClicks(box, "0")
+    with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE) as shown:
+        qtbot.keyClick(box, Qt.Key.Key_Return)
+    assert shown.args is not None
+    assert "To leave an example out, disable it" in shown.args[0]
+    assert examples(window)[0].weight == 1.0
+
+
 def test_what_is_learned_meanwhile_does_not_end_typing(
     window: MainWindow, panel: ExamplesPanel, qtbot: QtBot
 ) -> None:
