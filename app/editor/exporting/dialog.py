@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -36,6 +38,7 @@ from ..documents.choosing import choose_file
 from ..forms.parts import Complaint, caption
 from ..room import resize_within
 from ..selection import BehaviorKey
+from .command import command
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -134,8 +137,8 @@ class ExportDialog(QDialog):
         column.addWidget(
             caption(
                 "One JSON file with all that is needed and no more: an arm with its controllers, agents and world, or a "
-                "behavior with what it uses. understudy run FILE.json runs it to the same results, without the project; "
-                "File > Import behaviors… brings it into another one."
+                "behavior with what it uses. It runs in a terminal to the same results, without the project, by the "
+                "command that is told then; File > Import behaviors… brings it into another project."
             )
         )
         column.addLayout(form)
@@ -214,8 +217,13 @@ class ExportDialog(QDialog):
 
     def _done(self, bundle: Project, path: Path) -> None:
         count = sum(len(library.automata) for library in bundle.libraries.values())
-        runs = f"; understudy run {path} runs it" if bundle.arms else ""
-        self._studio.say(f"{path}: {counted(count, 'behavior')}{runs}")
+        told = f"{path}: {counted(count, 'behavior')}"
+        if bundle.arms:
+            runs = command("run", str(path))
+            copy = "Copy the command", partial(QGuiApplication.clipboard().setText, runs)
+            self._studio.say(f"{told}. In a terminal, this runs it: {runs}", (copy,))
+        else:
+            self._studio.say(told)
         self.accept()
 
     def _failed(self, error: UnderstudyError) -> None:

@@ -2,13 +2,15 @@
 
 import json
 from pathlib import Path
+from shlex import split
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.editor.documents.asking import Question
+from app.editor.exporting.command import command
 from app.editor.exporting.dialog import ExportDialog
 from app.editor.window.main_window import MainWindow
 from app.export.library_file import read
@@ -42,7 +44,12 @@ def test_the_arm_that_is_shown_is_offered_first_and_written(
     with qtbot.waitSignal(window.messages.shown, timeout=PATIENCE) as shown:
         press_ok(dialog, qtbot)
     assert shown.args is not None
-    assert "understudy run" in shown.args[0]
+    line = command("run", str(tmp_path / "out.json"))
+    assert line in shown.args[0]
+    copy = next(b for b in window.messages.findChildren(QPushButton) if b.text() == "Copy the command")
+    qtbot.mouseClick(copy, Qt.MouseButton.LeftButton)
+    assert QApplication.clipboard().text() == line
+    assert Path(split(line)[0]).is_file()  # it said "understudy", which no clone has in its terminal
     assert read(tmp_path / "out.json").project.arms[0].name == "independent"
 
 
