@@ -83,10 +83,11 @@ class ExperimentList(QWidget):
         if found:
             self.list.setCurrentItem(found[0])
 
-    def allow(self, *, changes: bool) -> None:
-        """Let the one that is shown be changed, or not while it runs."""
-        for button in (self.edit, self.copy, self.delete):
+    def allow(self, *, changes: bool, deletes: bool) -> None:
+        """Let the one that is shown be changed, or not while it runs; one that cannot be read can only be deleted."""
+        for button in (self.edit, self.copy):
             button.setEnabled(changes)
+        self.delete.setEnabled(deletes)
         self.new.setEnabled(self._window.folder is not None)
 
     def build(self, *_: object, changed: bool = False, copied: bool = False) -> None:
@@ -105,10 +106,9 @@ class ExperimentList(QWidget):
     def ask_delete(self) -> None:
         """Delete the experiment that is shown, if the user really wants that."""
         window = self._window
-        study, folder = window.study, window.folder
-        if study is None or folder is None:
+        name, study, folder = self.current, window.study, window.folder
+        if not name or folder is None:
             return
-        name = study.declared.name
 
         def delete() -> None:
             try:
@@ -118,7 +118,7 @@ class ExperimentList(QWidget):
             window.study = None
             window.refresh()
 
-        stays = f" What was found stays in {study.path.name}." if study.path.exists() else ""
+        stays = f" What was found stays in {study.path.name}." if study and study.path.exists() else ""
         Question(
             window,
             window.studio.theme,

@@ -163,7 +163,8 @@ class ExperimentsWindow(QWidget):
         study = self.study
         if study is None:
             empty = UNSAVED if self.folder is None else EMPTY
-            self.title.setText("" if self.listing.current else empty)
+            name = self.listing.current
+            self.title.setText(f"{name} cannot be read: mend its file, or delete it" if name else empty)
             self._show_note("")
         else:
             self.title.setText(study.declared.title)
@@ -180,7 +181,7 @@ class ExperimentsWindow(QWidget):
     def _refresh_buttons(self) -> None:
         free = self.study is not None and not self.running.is_on
         self.controls.allow(running=free)
-        self.listing.allow(changes=free)
+        self.listing.allow(changes=free, deletes=bool(self.listing.current) and not self.running.is_on)
 
     # ------------------------------------------------------------------------------------------ running it
 

@@ -41,6 +41,25 @@ def test_who_deletes_an_experiment_is_told_of_results_only_where_there_are_some(
     assert "What was found stays in figure3" in asked_to_delete(window, qtbot)
 
 
+def test_an_experiment_that_cannot_be_read_can_be_deleted(
+    shown: tuple[MainWindow, ExperimentsWindow], qtbot: QtBot
+) -> None:
+    _, window = shown
+    assert window.folder is not None
+    file = window.folder / "experiments" / "figure3.json"
+    file.write_text("{", encoding="utf-8")
+    window.refresh("figure3")
+    assert window.title.text() == "figure3 cannot be read: mend its file, or delete it"
+    assert not window.listing.edit.isEnabled()
+    qtbot.mouseClick(window.listing.delete, Qt.MouseButton.LeftButton)
+    question = next(found for found in window.findChildren(Question) if found.isVisible())
+    with qtbot.waitSignal(question.destroyed, timeout=PATIENCE):
+        qtbot.mouseClick(question.buttons[0], Qt.MouseButton.LeftButton)
+    assert not file.exists()
+    qtbot.waitUntil(lambda: window.study is not None, timeout=PATIENCE)  # the next one is shown
+    assert window.listing.current != "figure3"
+
+
 def asked_to_delete(window: ExperimentsWindow, qtbot: QtBot) -> str:
     """Press Delete, and think better of it."""
     qtbot.mouseClick(window.listing.delete, Qt.MouseButton.LeftButton)
