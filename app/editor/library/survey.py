@@ -117,13 +117,13 @@ class Surveyor:
     def __init__(self) -> None:
         self._used: Remembered[str, Used] = Remembered()
         self._users: dict[RowKey, tuple[Use, ...]] = {}
-        self._ordered: Remembered[str, list[Automaton]] = Remembered()
+        self._ordered: Remembered[str, list[str]] = Remembered()
         self._rows: Remembered[RowKey, Row] = Remembered()
 
     def survey(self, project: Project, types: Types, arm: Arm | None) -> tuple[Group, ...]:
         """All groups, those of the arm's types first."""
-        made_of = project.libraries, project.types, project.arms
-        used = self._used.of("", made_of, lambda: self._used_by(project))
+        held = (part for node_type in project.types for part in _held_parts(project.library(node_type.name)))
+        used = self._used.of("", (project.types, project.arms, *held), lambda: self._used_by(project))
         present = types_in(arm, project)
         ordered = sorted(project.types, key=lambda t: (t.name not in present, project.types.index(t)))
         groups = [
@@ -140,8 +140,8 @@ class Surveyor:
     ) -> Iterator[Group]:
         name, library = node_type.name, project.library(node_type.name)
         vocabulary = _vocabulary(types, name)
-        automata = self._ordered.of(name, (library,), lambda: from_the_top(library))
-        rows = [self._row(project, name, automaton, vocabulary, used) for automaton in automata]
+        order = self._ordered.of(name, tuple(_held_parts(library)), lambda: from_the_top(library))
+        rows = [self._row(project, name, library.automata[held], vocabulary, used) for held in order]
         for kind in (Kind.LEARNED, Kind.AUTHORED):
             yield Group(name, kind, tuple(row for row in rows if row.kind is kind), current)
         kind = Kind.DERIVED if node_type.level else Kind.BASIC
@@ -234,8 +234,16 @@ def types_in(arm: Arm | None, project: Project) -> frozenset[str]:
     return frozenset(arm.hierarchy.types)
 
 
-def from_the_top(library: Library) -> list[Automaton]:
-    """The automata of a library, those that hold others before those that they hold; equals by name, numbers as such."""
+def _held_parts(library: Library) -> Iterator[object]:
+    """All of a library that says who holds whom: not what was learned, which changes far more often."""
+    for automaton in library.automata.values():
+        yield automaton.id
+        yield automaton.name
+        yield automaton.states
+
+
+def from_the_top(library: Library) -> list[str]:
+    """The ids of a library's automata, those that hold others before those that they hold; equals by name, numbers as such."""
     depths: dict[str, int] = {}
 
     def depth(automaton_id: str, above: frozenset[str]) -> int:
@@ -247,7 +255,8 @@ def from_the_top(library: Library) -> list[Automaton]:
             depths[automaton_id] = 1 + max((depth(held, inside) for held in automaton.nested()), default=0)
         return depths[automaton_id]
 
-    return sorted(library.automata.values(), key=lambda a: (-depth(a.id, frozenset()), natural(a.name)))
+    automata = library.automata.values()
+    return [a.id for a in sorted(automata, key=lambda a: (-depth(a.id, frozenset()), natural(a.name)))]
 
 
 # ------------------------------------------------------------------------------------------- who uses whom

@@ -44,8 +44,8 @@ def test_types_of_the_arm_come_first_and_kinds_are_told_apart(project: Project) 
 
 
 def test_those_that_hold_others_stand_above_them(project: Project) -> None:
-    names = [automaton.name for automaton in from_the_top(project.library("agent"))]
-    assert names.index("Forage") < names.index("ReturnWithBox") < names.index("Goto")
+    order = from_the_top(project.library("agent"))
+    assert order.index("forage") < order.index("return-with-box") < order.index("goto")
 
 
 def test_users_are_states_controllers_and_arms(project: Project) -> None:
