@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from heapq import nlargest
+from itertools import chain
 
 from ..core.automaton import Automaton, Basic, Content, Nested, Prune, RaiseFlag, Rule, State
 from ..core.conditions import AtMost, Condition, Equals, Guard
@@ -144,15 +145,16 @@ def graph_of(
         vocabulary: The scenario's.
         examples: Of the automaton; what a model without a table form learned is read from them.
     """
+    edges = (edges_from(state.id, automaton, vocabulary, examples) for state in automaton.states)
+    return graph_with(automaton, library, chain.from_iterable(edges))
+
+
+def graph_with(automaton: Automaton, library: Library, edges: Iterable[Edge]) -> AutomatonGraph:
+    """The graph of an automaton whose edges are known, see `edges_from`."""
     states = tuple(_state(state, automaton, library) for state in automaton.states)
-    edges = [edge for state in states for edge in _edges(state.id, automaton, vocabulary, examples)]
     there = {state.id for state in states}
-    return AutomatonGraph(
-        automaton.id,
-        automaton.name,
-        states,
-        tuple(edge for edge in edges if edge.target in there),
-    )
+    leading = tuple(edge for edge in edges if edge.target in there)
+    return AutomatonGraph(automaton.id, automaton.name, states, leading)
 
 
 def _state(state: State, automaton: Automaton, library: Library) -> GraphState:
@@ -171,9 +173,10 @@ def _state(state: State, automaton: Automaton, library: Library) -> GraphState:
 # ---------------------------------------------------------------------------------------------------- edges
 
 
-def _edges(
-    source: str, automaton: Automaton, vocabulary: Vocabulary, examples: Sequence[Example]
+def edges_from(
+    source: str, automaton: Automaton, vocabulary: Vocabulary, examples: Sequence[Example] = ()
 ) -> Iterator[Edge]:
+    """The edges that leave a state; see `graph_of`."""
     rules, learned = _rules(source, automaton, vocabulary), _learned(source, automaton, examples)
     for target in dict.fromkeys([*rules, *learned]):
         leaves = learned.get(target, [])

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping
 from ...core.automaton import Automaton
 from ...core.remembered import Remembered
 from ...core.tree import Tree
-from ...export.graph import AutomatonGraph, graph_of
+from ...export.graph import AutomatonGraph, Edge, edges_from, graph_with
 from ..document import Document
 from ..selection import BehaviorKey
 from .arrangement import Arrangement, Point, Request, at_once
@@ -21,11 +21,13 @@ class Drafts:
         self._document = document
         self._laying_out = laying_out
         self._graphs: Remembered[BehaviorKey, AutomatonGraph] = Remembered()
+        self._leaving: Remembered[tuple[BehaviorKey, str], tuple[Edge, ...]] = Remembered()
         self._last: dict[BehaviorKey, Mapping[str, Point]] = {}
 
     def forget(self) -> None:
         """Another project is open."""
         self._graphs.keep(())
+        self._leaving.keep(())
         self._last.clear()
 
     def drawn(self, key: BehaviorKey, is_open: Collection[Path]) -> Drawn | None:
@@ -45,16 +47,23 @@ class Drafts:
         return drafting.drawn(automaton)
 
     def _graph(self, type_name: str, automaton: Automaton) -> AutomatonGraph:
-        project = self._document.project
-        library = project.library(type_name)
-        treeless = any(not isinstance(model, Tree) for model in automaton.learned.values())
-        examples = project.examples_of(type_name, automaton.id) if treeless else ()  # see `graph_of`
+        key, library = BehaviorKey(type_name, automaton.id), self._document.project.library(type_name)
+        edges = [edge for state in automaton.states for edge in self._edges(key, automaton, state.id)]
         held = (library.automata.get(held) for held in automaton.nested())
-        made_of = *_drawn(automaton), examples, *held
-        return self._graphs.of(
-            BehaviorKey(type_name, automaton.id),
-            made_of,
-            lambda: graph_of(automaton, library, self._document.scenario.vocabulary, examples),
+        made_of = automaton.name, automaton.states, *edges, *held
+        return self._graphs.of(key, made_of, lambda: graph_with(automaton, library, edges))
+
+    def _edges(self, key: BehaviorKey, automaton: Automaton, source: str) -> tuple[Edge, ...]:
+        """Those that leave a state: made of all that they show, not of what other states learned, nor of a note."""
+        model = automaton.learned.get(source)
+        treeless = model is not None and not isinstance(model, Tree)
+        examples = self._document.project.examples_of(key.type, key.id) if treeless else ()  # see `graph_of`
+        parts = automaton.states, automaton.features, automaton.rules, automaton.prunes, automaton.settings
+        scenario = self._document.scenario
+        return self._leaving.of(
+            (key, source),
+            (*parts, model, examples, scenario),
+            lambda: tuple(edges_from(source, automaton, scenario.vocabulary, examples)),
         )
 
     def _arranged(self, key: BehaviorKey, request: Request) -> tuple[Arrangement, bool]:
@@ -64,16 +73,3 @@ class Drafts:
             return known, True
         self._laying_out.ask(request)
         return at_once(request, self._last.get(key)), False
-
-
-def _drawn(automaton: Automaton) -> tuple[object, ...]:
-    """All of an automaton that its graph is made of: not its note, nor what its models were learned from."""
-    return (
-        automaton.name,
-        automaton.states,
-        automaton.features,
-        automaton.rules,
-        automaton.prunes,
-        automaton.learned,
-        automaton.settings,
-    )

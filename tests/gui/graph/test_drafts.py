@@ -75,3 +75,20 @@ def test_edges_that_are_read_from_examples_follow_them(studio: Studio, drafts: D
     every = [example.id for example in document.project.examples_of(WANDER.type, WANDER.id)]
     document.do(disable_examples, WANDER.type, WANDER.id, every)
     assert graph(drafts, WANDER).edges != before.edges
+
+
+def test_what_one_state_learned_changes_no_edges_of_others(studio: Studio, drafts: Drafts) -> None:
+    document = studio.document
+    before = graph(drafts, FORAGE)
+    library = document.project.library(FORAGE.type)
+    forage = library.automata[FORAGE.id]
+    source, *others = [state for state in forage.learned if forage.learned[state] is not None]
+    learned = {state: model for state, model in forage.learned.items() if state != source}
+    changed = Library({**library.automata, FORAGE.id: replace(forage, learned=learned)})
+    libraries = {**document.project.libraries, FORAGE.type: changed}
+    document.push("Forget", replace(document.project, libraries=libraries))
+    after = graph(drafts, FORAGE)
+    kept = [edge for edge in before.edges if edge.source in others]
+    assert kept
+    assert all(any(edge is other for other in after.edges) for edge in kept)
+    assert not any(edge.source == source and edge.support for edge in after.edges)
