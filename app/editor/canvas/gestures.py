@@ -48,8 +48,8 @@ class Pointer:
 class Stage(Protocol):
     """What gestures are carried out on."""
 
-    def entity_at(self, at: Pointer) -> int:
-        """The entity there, -1 if there is none."""
+    def held_at(self, at: Pointer) -> Held:
+        """What is dragged from there, the one that is taken hold of first; of several that are selected, all."""
 
     def cannot_drag(self) -> str:
         """Why nothing can be dragged now; empty if it can."""
@@ -77,9 +77,6 @@ class Stage(Protocol):
 
     def drop_band(self) -> None:
         """It is not shown any more."""
-
-    def together(self, entity: int) -> Held:
-        """What is dragged with an entity: of several that are selected, all; the entity itself comes first."""
 
     def preview(self, held: Held, at: Pointer) -> None:
         """Show the first of them there, and the others as far from it as they are."""
@@ -127,7 +124,7 @@ class Resting(Gesture):
             return Panning(self, at)
         if button is Button.RIGHT:
             return Asking(self, at)
-        return Pressed(at, stage.entity_at(at))
+        return Pressed(at, stage.held_at(at))
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,19 +186,19 @@ class Pressed(Gesture):
     """The left button is down: a click, unless it becomes a drag."""
 
     first: Pointer
-    entity: int
+    held: Held
 
     def move(self, stage: Stage, at: Pointer) -> Gesture:
         """Far enough, it is a drag: of what was pressed, or of a rectangle."""
         if not at.far_from(self.first):
             return self
-        if self.entity < 0:
+        if not self.held:
             return Banding(self.first).move(stage, at)
         why = stage.cannot_drag()
         if why:
             stage.say(why)
             return Refused()
-        return Dragging(stage.together(self.entity)).move(stage, at)
+        return Dragging(self.held).move(stage, at)
 
     def release(self, stage: Stage, _at: Pointer) -> Gesture:
         """A click."""

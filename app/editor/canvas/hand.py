@@ -13,7 +13,7 @@ from ...engine.commands import MoveEntities
 from ...engine.snapshots import Snapshot
 from .frame import Frame, Preview
 from .gestures import Button, Carrying, Choosing, Gesture, Held, Pointer, Resting
-from .hits import agents_in, controller_at, entity_at
+from .hits import agents_in, controller_at, entity_at, taken_at
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -249,12 +249,13 @@ class Hand(QObject):
         shown = frame.scene.entity(self._studio.selection.node)
         return tuple(sorted(agents, key=lambda agent: agent != shown))
 
-    def together(self, entity: int) -> Held:
-        """What is dragged with an entity: of several that are selected, all; the entity itself comes first."""
-        selected = self.selected()
-        return (
-            (entity, *(other for other in selected if other != entity)) if entity in selected else (entity,)
-        )
+    def held_at(self, at: Pointer) -> Held:
+        """What is dragged from there, the one that is taken hold of first; of several that are selected, all."""
+        frame, selected = self._frame(), self.selected()
+        entity = -1 if frame is None else taken_at(frame, at.x, at.y, selected)
+        if entity < 0:
+            return ()
+        return entity, *(other for other in selected if other != entity and entity in selected)
 
     def preview(self, held: Held, at: Pointer) -> None:
         """Show the first of them there, and the others as far from it as they are."""

@@ -14,6 +14,8 @@ from .groups import forest_of
 
 #: Pixels: how near is near enough, to an agent, to anything else, and to a link.
 NEAR_AGENT, NEAR, NEAR_LINK = 9.0, 6.0, 5.0
+#: Pixels: what is so much farther than the nearest lies in one heap with it.
+HEAP = 3.0
 #: Pixels that a place is large.
 PLACE = 9.0
 
@@ -42,6 +44,18 @@ def entity_at(frame: Frame, x: float, y: float, first: Collection[int] = ()) -> 
         if found >= 0:
             return span.start + found
     return -1
+
+
+def taken_at(frame: Frame, x: float, y: float, selected: Collection[int]) -> int:
+    """The entity that is taken hold of at a pixel: of a heap of agents, one of the selected, which are marked."""
+    nearest = entity_at(frame, x, y)
+    if nearest < 0:
+        return -1
+    xs, ys = frame.places()
+    away = np.hypot(xs - x, ys - y)
+    near = min(float(away[nearest]) + HEAP, _reach(frame, AGENT))
+    heap = [agent for agent in selected if away[agent] <= near]
+    return min(heap, key=lambda entity: float(away[entity]), default=nearest)
 
 
 def _reach(frame: Frame, kind: str) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from app.engine.commands import Pause, Play
+from app.engine.commands import MoveEntities, Pause, Play
 from tests.gui.canvas.pilot import Pilot
 
 BOX = 50
@@ -128,6 +128,23 @@ def test_one_that_is_not_selected_is_dragged_alone(pilot: Pilot) -> None:
     pilot.drag(pilot.at(agent), pilot.nowhere())
     pilot.wait(lambda: places(pilot, (agent,)) != before)
     assert places(pilot, others) == rest
+
+
+@pytest.mark.parametrize("selected", [0, 1, 2])
+def test_of_agents_that_lie_upon_each_other_the_one_that_is_selected_is_dragged(
+    pilot: Pilot, selected: int
+) -> None:
+    agents = (0, 1, 2)
+    x, y = pilot.canvas.looking.camera.to_world(*pilot.nowhere().toTuple())
+    pilot.send(MoveEntities(dict.fromkeys(agents, (x, y))))
+    pilot.wait(lambda: places(pilot, agents) == [places(pilot, agents)[0]] * 3)
+    before = places(pilot, agents)
+    pilot.studio.selection.select_nodes([f"agent-{selected + 1}"])
+    start = pilot.at(0)
+    pilot.drag(start, start + QPoint(40, 30))
+    pilot.wait(lambda: places(pilot, (selected,)) != before[:1])
+    rest = tuple(agent for agent in agents if agent != selected)
+    assert places(pilot, rest) == before[:2]
 
 
 def test_all_that_are_under_a_selected_controller_are_dragged_with_one_of_them(pilot: Pilot) -> None:

@@ -13,8 +13,8 @@ class Notes:
         self.running = running
         self.choosable = True
 
-    def entity_at(self, at: Pointer) -> int:
-        return 7 if abs(at.x - 50) < 10 and abs(at.y - 50) < 10 else -1
+    def held_at(self, at: Pointer) -> tuple[int, ...]:
+        return (7, 8) if abs(at.x - 50) < 10 and abs(at.y - 50) < 10 else ()
 
     def cannot_drag(self) -> str:
         return "pause first" if self.running else ""
@@ -24,7 +24,7 @@ class Notes:
 
     def choose(self, at: Pointer) -> bool:
         self.said.append(("choose", at.x, at.y))
-        return self.choosable and self.entity_at(at) >= 0
+        return self.choosable and bool(self.held_at(at))
 
     def give_up_choosing(self) -> None:
         self.said.append(("gave up",))
@@ -43,9 +43,6 @@ class Notes:
 
     def drop_band(self) -> None:
         self.said.append(("drop band",))
-
-    def together(self, entity: int) -> tuple[int, ...]:
-        return entity, 8
 
     def preview(self, held: tuple[int, ...], at: Pointer) -> None:
         self.said.append(("preview", held, at.x, at.y))
