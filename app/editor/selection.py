@@ -27,11 +27,13 @@ class Selection(QObject):
 
     Signals:
         nodes_changed, behavior_changed, state_changed, examples_changed: It is another one now.
+        state_chosen: Somebody wants to see the decisions of a state, which may be the one that is shown already.
     """
 
     nodes_changed = Signal()
     behavior_changed = Signal()
     state_changed = Signal()
+    state_chosen = Signal()
     examples_changed = Signal()
 
     def __init__(self) -> None:
@@ -58,18 +60,25 @@ class Selection(QObject):
         rest = [other for other in self.nodes if other != node]
         self.select_nodes(rest if node in self.nodes else [*rest, node])
 
-    def select_behavior(self, behavior: BehaviorKey | None, state: str = START) -> None:
-        """Show another automaton, or another state of it."""
+    def select_behavior(self, behavior: BehaviorKey | None, state: str = "") -> None:
+        """Show another automaton, or another state of it; Start where none is named."""
         if behavior != self.behavior:
-            self.behavior, self.state = behavior, state
+            self.behavior, self.state = behavior, state or START
             self.select_examples(())
             self.behavior_changed.emit()
             self.state_changed.emit()
         else:
-            self.select_state(state)
+            self.show_state(state or START)
+        if state:
+            self.state_chosen.emit()
 
     def select_state(self, state: str) -> None:
-        """Show the decisions of another state of the same automaton."""
+        """Show the decisions of another state of the same automaton, since somebody wants to see them."""
+        self.show_state(state)
+        self.state_chosen.emit()
+
+    def show_state(self, state: str) -> None:
+        """The same where nobody has asked for it, as when the one that was shown is gone."""
         if state != self.state:
             self.state = state
             self.state_changed.emit()

@@ -97,6 +97,7 @@ class Studio(QObject):
         document.history_changed.connect(self._history_changed)
         selection.nodes_changed.connect(self._watch)
         selection.nodes_changed.connect(self._want_state)
+        selection.examples_changed.connect(self._show_state_of_examples)
         self.teaching.changed.connect(self._watch)
         for signal in (
             bridge.mode_changed,
@@ -236,7 +237,20 @@ class Studio(QObject):
                 behavior.type,
                 behavior.id,
             ) and self.selection.state == START:
-                self.selection.select_state(level.state)
+                self.selection.show_state(level.state)
+
+    def _show_state_of_examples(self) -> None:
+        """Show how the state decides that the first of the examples is of, unless the one shown is another one's."""
+        selection, chosen = self.selection, set(self.selection.examples)
+        shown = selection.behavior
+        automaton = None if shown is None else self.document.automaton(shown.type, shown.id)
+        if shown is None or automaton is None or not chosen:
+            return
+        examples = self.document.project.examples_of(shown.type, shown.id)
+        of = dict.fromkeys(example.source for example in examples if example.id in chosen)
+        there = [state for state in of if automaton.has_state(state)]
+        if there and selection.state not in there:
+            selection.show_state(there[0])
 
     # ------------------------------------------------------------------------------------- undo and redo
 
@@ -352,7 +366,7 @@ class Studio(QObject):
         if automaton is None:
             self.selection.select_behavior(_first_behavior(after))
         elif not automaton.has_state(self.selection.state):
-            self.selection.select_state(START)
+            self.selection.show_state(START)
         if self.bridge.is_open or not after.arms:
             return
         self._arm = after.arms[0].name

@@ -109,6 +109,7 @@ class GraphPanel(QWidget):
         self.laying_out.arranged.connect(self.touch)
         self.laying_out.told.connect(studio.warn)
         self.scene.marked.connect(self._marked)
+        self.view.pressed.connect(self._pressed)
         self.view.opened.connect(self.open_state)
         self.view.toggled.connect(self.toggle)
         self.view.back.connect(self.go_back)
@@ -228,13 +229,20 @@ class GraphPanel(QWidget):
             self.close_form()
             return
         key, state = self.scene.key_of(path)
-        self._selecting = True
-        try:
-            self.studio.selection.select_behavior(key, state)
-        finally:
-            self._selecting = False
+        selection = self.studio.selection
+        if (key, state) != (selection.behavior, selection.state):
+            self._selecting = True
+            try:
+                selection.select_behavior(key, state)
+            finally:
+                self._selecting = False
         self._show_form()
         self.studio.touch()
+
+    def _pressed(self, path: Path) -> None:
+        key, state = self.scene.key_of(path)
+        if key == self.studio.selection.behavior:
+            self.studio.selection.select_state(state)
 
     # ----------------------------------------------------------------------------------------------- going in
 

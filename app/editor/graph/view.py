@@ -46,6 +46,7 @@ class GraphView(DiagramView):
         has_form: A form is open that Escape closes.
 
     Signals:
+        pressed: A state was pressed, which may be selected already.
         opened: Show the automaton of a state.
         toggled: Open or close a state in place.
         moved: A state was dragged by so much.
@@ -60,6 +61,7 @@ class GraphView(DiagramView):
         dropped: A behavior, as the library drags it, came down at a place of the scene.
     """
 
+    pressed = Signal(object)
     opened = Signal(object)
     toggled = Signal(object)
     moved = Signal(object, object)
@@ -196,6 +198,7 @@ class GraphView(DiagramView):
     def _select(self, path: Path, *, add: bool = False) -> None:
         before = [other for other in self._graph.selected if other != path] if add else []
         self._graph.mark([*before, path])
+        self.pressed.emit(path)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Go on with what is going on; show where transitions are drawn from."""

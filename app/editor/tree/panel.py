@@ -22,18 +22,18 @@ from PySide6.QtWidgets import (
 from ...core.automaton import Cut, Refit
 from ...core.conditions import AtMost, InArc
 from ...core.cuts import with_cuts
-from ...core.phrasing import number
-from ...engine.snapshots import WatchedLevel
 from ...learner.registry import METHODS
 from ..number_box import roomy
 from ..soon import Later, Soon
+from .following import Following
+from .lighting import Lighting
 from .menus import node_menu
 from .previewing import Previewing
 from .pruning import Pruning
 from .rows import tree_rows
 from .rules import RuleList
 from .scene import TreeScene
-from .shape import Key, lit
+from .shape import Key
 from .subject import Subject
 from .subjects import Subjects
 from .tools import Tools
@@ -54,6 +54,7 @@ class TreePanel(QWidget):
 
     Attributes:
         subject: What is shown; None without a behavior.
+        following: Whether the tree turns to the state that the selected node is in.
         scene, view: The tree, and what it is seen through.
         which: Chooses a tree of a forest.
 
@@ -81,7 +82,13 @@ class TreePanel(QWidget):
         self.previewing = Previewing(studio, self.tools.confidence, self.pruning)
         self.menu: QMenu | None = None
         self._soon = Soon(self, self.refresh)
-        self._live = Later(self, self._follow, LIVE)
+        self._live = Later(self, self._light, LIVE)
+        self.following = Following(studio, self._may_turn)
+        self._lighting = Lighting(studio)
+        self._listed: tuple[object, object] = (
+            None,
+            None,
+        )  # the automaton and library whose states can be chosen
         studio.actions.add(tree_rows(self))
         self._build()
         self._connect()
@@ -106,11 +113,12 @@ class TreePanel(QWidget):
         top.addWidget(QLabel("from"))
         top.addWidget(self._states, 1)
         top.addWidget(self.which)
-        fit = QToolButton()
-        fit.setProperty("flat", "true")
-        fit.setDefaultAction(self.studio.actions["tree.fit"])
-        fit.setAccessibleName(self.studio.actions.rows["tree.fit"].text)
-        top.addWidget(fit)
+        self.follow = self._button("tree.follow")
+        self.follow.setProperty("flat", "false")  # whether it is on has to be seen
+        self.follow.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.follow.defaultAction().setIconText("Follow")
+        top.addWidget(self.follow)
+        top.addWidget(self._button("tree.fit"))
         self._message = QLabel()
         self._message.setProperty("role", "empty")
         self._message.setWordWrap(True)
@@ -128,6 +136,13 @@ class TreePanel(QWidget):
         self._column.addWidget(self.tools)
         self.setFocusProxy(self.view)
 
+    def _button(self, action: str) -> QToolButton:
+        button = QToolButton()
+        button.setProperty("flat", "true")
+        button.setDefaultAction(self.studio.actions[action])
+        button.setAccessibleName(self.studio.actions.rows[action].text)
+        return button
+
     def _connect(self) -> None:
         studio = self.studio
         for signal in (studio.opened, studio.colors.changed, studio.theme.changed):
@@ -135,6 +150,9 @@ class TreePanel(QWidget):
         studio.document.project_changed.connect(lambda *_: self.touch())
         studio.selection.behavior_changed.connect(self.touch)
         studio.selection.state_changed.connect(self.touch)
+        studio.selection.state_chosen.connect(self.following.stop)
+        studio.selection.examples_changed.connect(self._examples_chosen)
+        self.following.changed.connect(self._turned)
         studio.selection.nodes_changed.connect(self._live_soon)
         studio.bridge.snapshot_changed.connect(self._live_soon)
         self._states.activated.connect(
@@ -143,9 +161,10 @@ class TreePanel(QWidget):
         self.which.valueChanged.connect(lambda _: self.touch())
         self.view.chosen.connect(self.choose)
         self.view.toggled.connect(self._toggle)
+        self.rules.taken.connect(self._stay)
         self.view.removed.connect(self.prune)
         self.view.menu_wanted.connect(self._menu)
-        self.tools.opened.connect(self._show_tools)
+        self.tools.opened.connect(self._opened)
         cut = self.tools.cut
         cut.dragged.connect(self._cut_dragged)
         cut.dropped.connect(self._cut_dropped)
@@ -167,26 +186,30 @@ class TreePanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what happened meanwhile."""
         super().showEvent(event)
+        self.following.hurry()
         self._soon.ask()
+
+    @property
+    def state(self) -> str:
+        """The state that is to be shown: the one that is followed, or else the one that is selected."""
+        return self.following.state or self.studio.selection.state
 
     def refresh(self) -> None:
         """Show everything as it is now."""
-        made_of = (*self._subjects.made_of(), self.which.value())
+        with QSignalBlocker(self.which):
+            self.which.setRange(1, self._subjects.trees(self.state))
+        made_of = (*self._subjects.made_of(self.state), self.which.value())
         if len(made_of) == len(self._shown) and all(
             _same(a, b) for a, b in zip(made_of, self._shown, strict=True)
         ):
+            self._trace()
             return
         other = made_of[:2] != self._place
         self._shown, self._place = made_of, made_of[:2]
-        self._show(self._subject(), other=other)
-
-    def _subject(self) -> Subject | None:
-        with QSignalBlocker(self.which):
-            self.which.setRange(1, self._subjects.trees())
-        return self._subjects.selected(self.which.value())
+        self._show(self._subjects.of(self.state, self.which.value()), other=other)
 
     def _show(self, subject: Subject | None, *, other: bool) -> None:
-        self.subject = subject
+        before, self.subject = self._possible(), subject
         if other:
             self.previewing.forget()
             self.scene.forget_opened()
@@ -200,26 +223,32 @@ class TreePanel(QWidget):
         self._pages.setCurrentIndex(1 if subject is not None and subject.tree is not None else 0)
         title = "Decision tree" if subject is None else f"Decision tree · from {subject.name(subject.state)}"
         self.title_changed.emit(title)
-        self._follow()
         self.view.changed()
-        self.studio.touch()
+        if not self._trace():
+            self._light()
+        if not other or self._possible() != before:
+            self.studio.touch()
         self.refreshed.emit()
+
+    def _possible(self) -> tuple[object, ...]:
+        """What decides which actions there are, as long as the state is the same."""
+        subject = self.subject
+        return subject is not None, subject is not None and subject.tree is not None, self.scene.chosen
 
     def _show_states(self, subject: Subject | None) -> None:
         with QSignalBlocker(self._states):
-            self._states.clear()
-            if subject is not None:
+            if subject is None:
+                self._states.clear()
+            elif self._listed[0] is not subject.automaton or self._listed[1] is not subject.library:
+                self._states.clear()
                 for state in subject.automaton.states:
                     self._states.addItem(subject.name(state.id), state.id)
-            self._states.setCurrentIndex(self._states.findData(self.studio.selection.state))
+            self._listed = (None, None) if subject is None else (subject.automaton, subject.library)
+            self._states.setCurrentIndex(self._states.findData(self.state))
 
     def _explanation(self) -> str:
         """Why there is no tree, what to do, and what a model without one says now."""
-        subject = self.subject
-        told = treeless_words(subject)
-        if subject is not None and isinstance(subject.model, Refit):
-            return f"{told} {self._outcome_now()}".strip()
-        return told
+        return f"{treeless_words(self.subject)} {self._lighting.outcome_words(self.subject)}".strip()
 
     # -------------------------------------------------------------------------------------------------- live
 
@@ -227,62 +256,75 @@ class TreePanel(QWidget):
         if self.isVisible():
             self._live.ask()
 
-    def _level_now(self) -> WatchedLevel | None:
-        """The selected node's run of the automaton that is shown, if it is in the state that is shown."""
-        snapshot, subject = self.studio.snapshot, self.subject
-        watched = None if snapshot is None else snapshot.watched.get(self.studio.selection.node)
-        if watched is None or subject is None:
-            return None
-        for level in watched.levels:
-            if (level.type, level.automaton, level.state) == (
-                subject.type,
-                subject.automaton.id,
-                subject.state,
-            ):
-                return level
-        return None
-
-    def _follow(self) -> None:
-        level, subject = self._level_now(), self.subject
-        if subject is None or subject.tree is None:
-            if subject is not None and isinstance(subject.model, Refit):
-                self._message.setText(self._explanation())
-            return
-        keys: tuple[Key, ...] = ()
-        if level is not None:
-            try:
-                keys = lit(subject.tree, level.values.__getitem__)
-            except KeyError:  # a feature that cannot be told now, or that the world does not know yet
-                keys = ()
-        self.scene.light(keys)
-
-    def _outcome_now(self) -> str:
-        level = self._level_now()
+    def _light(self) -> None:
+        """Light the path of the chosen examples, or of what the selected node decides now, and say whose it is."""
         subject = self.subject
-        if level is None or subject is None or not level.outcome:
-            return "Select an agent that is in this state to see what it says."
-        said = ", ".join(f"{subject.name(state)} {number(100 * p)}%" for state, p in level.outcome)
-        return f"Now it says: {said}."
+        if subject is not None and subject.tree is not None:
+            self.scene.light(self._lighting.keys(subject))
+        elif subject is not None and isinstance(subject.model, Refit):
+            self._message.setText(self._explanation())
+        has_tree = subject is not None and subject.tree is not None
+        self.tools.tell(self.following.words or (self._lighting.words if has_tree else ""))
+
+    def _trace(self) -> bool:
+        """Where the chosen examples pass is lit, down to where they end; whether that is somewhere else now."""
+        if not self._lighting.trace(self.subject):
+            return False
+        end = self._lighting.end(self.subject)
+        if end:
+            self.scene.open_to(end)
+            self.view.changed()
+        self._light()
+        if end in self.scene.nodes:
+            item = self.scene.nodes[end]
+            self.view.show_item(item.mapRectToScene(item.box))
+        return True
+
+    # ------------------------------------------------------------------------------------------------ turning
+
+    def _may_turn(self) -> bool:
+        """Whether somebody looks, who is not just choosing a state."""
+        return self.isVisible() and not self._states.view().isVisible()
+
+    def _turned(self) -> None:
+        """Another state is followed, or none any more."""
+        self.studio.actions.refresh_some(["tree.follow"])
+        self._live_soon()
+        self.touch()
+
+    def _stay(self) -> None:
+        """Something is done with the tree that is shown: it does not turn away."""
+        self.following.switch(on=False)
+
+    def _examples_chosen(self) -> None:
+        """Show where they end, unless it was the tree that chose them; of its state the selection sees to it."""
+        if self._lighting.is_asked:
+            self.following.stop()
+        self.touch()
 
     # ------------------------------------------------------------------------------------------------ choosing
 
     def choose(self, key: Key) -> None:
         """Select a node, and with it the examples that reach it."""
+        self._stay()
         self.scene.choose(key)
         if self.subject is not None and key:
-            self.studio.selection.select_examples(self.subject.examples(key))
+            examples = self.subject.examples(key)
+            self._lighting.chose(examples)
+            self.studio.selection.select_examples(examples)
         self._show_tools()
         self.studio.touch()
 
     def _show_tree(self) -> None:
         """The tree alone has changed: a preview came, or is not wanted any more."""
         self.scene.build(self.previewing.shown(self.subject))
-        self._follow()
+        self._light()
         self.view.changed()
 
     def _toggle(self, key: Key) -> None:
+        self._stay()
         self.scene.toggle(key)
-        self._follow()
+        self._light()
         self.view.changed()
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -290,6 +332,7 @@ class TreePanel(QWidget):
         super().hideEvent(event)
         self._soon.forget()
         self._live.forget()
+        self.following.rest()
         self.previewing.close()
         self.studio.touch()
 
@@ -311,6 +354,11 @@ class TreePanel(QWidget):
             self.menu.popup(at)
 
     # ------------------------------------------------------------------------------------- below the tree
+
+    def _opened(self) -> None:
+        if self.tools.page:
+            self._stay()
+        self._show_tools()
 
     def _show_tools(self) -> None:
         subject = self.subject
@@ -335,7 +383,7 @@ class TreePanel(QWidget):
         if subject is not None and subject.tree is not None:
             tree = with_cuts(subject.tree, [Cut("", subject.state, subject.path(key), test)])
             self.scene.build(replace(subject, tree=tree))
-            self._follow()
+            self._light()
 
     def _cut_dropped(self, test: AtMost | InArc) -> None:
         if self.subject is not None and self.scene.chosen:

@@ -41,6 +41,17 @@ def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
 
     return (
         ActionRow(
+            "tree.follow",
+            "Follow the selected in the tree",
+            "Behavior",
+            lambda _: panel.following.switch(on=not panel.following.on),
+            "tree",
+            tip="Turn the decision tree to the state that the selected agent is in; choosing a state or a node stops that",
+            icon="crosshairs",
+            enabled=shows,
+            checked=lambda _: panel.following.on,
+        ),
+        ActionRow(
             "tree.fit",
             "Fit the decision tree in",
             "",

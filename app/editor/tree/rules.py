@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QDropEvent, QKeyEvent
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QDropEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem
 
 from ...core.edits import order_rules, remove_rule
@@ -21,7 +21,13 @@ STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
 
 class RuleList(QListWidget):
-    """The rules of a state. Dragging, or Alt and an arrow key, tries one earlier or later; Delete removes it."""
+    """The rules of a state. Dragging, or Alt and an arrow key, tries one earlier or later; Delete removes it.
+
+    Signals:
+        taken: The user turns to them.
+    """
+
+    taken = Signal()
 
     def __init__(self, studio: Studio) -> None:
         super().__init__()
@@ -36,6 +42,12 @@ class RuleList(QListWidget):
             "Rules are tried in this order before the tree; drag them, or press Alt and an arrow key"
         )
         self.hide()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Tell that keys come here now."""
+        super().focusInEvent(event)
+        if event.reason() is not Qt.FocusReason.ActiveWindowFocusReason:
+            self.taken.emit()
 
     def show_subject(self, subject: Subject | None) -> None:
         """Show the rules of a state; nothing where there are none."""

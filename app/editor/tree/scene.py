@@ -63,6 +63,15 @@ class TreeScene(QGraphicsScene):
             self._opened |= below(self._subject.tree, key)
         self.build(self._subject)
 
+    def open_to(self, key: Key) -> None:
+        """Show a node that may stand below those that are shown."""
+        if self._subject is None or self._subject.tree is None or key in self.nodes:
+            return
+        above = {key >> up for up in range(1, key.bit_length())}
+        self._opened |= above
+        self._closed -= above
+        self.build(self._subject)
+
     def choose(self, key: Key) -> None:
         """Select a node; 0 selects none."""
         self.chosen = key

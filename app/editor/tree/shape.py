@@ -122,6 +122,13 @@ def lit(tree: Tree, values: Values) -> tuple[Key, ...]:
     return tuple(found)
 
 
+def leaves(tree: Tree, keys: Collection[Key]) -> list[Key]:
+    """Those of the nodes of a tree that nothing is tested in."""
+    return [
+        key for key in keys if 2 * key not in keys and 2 * key + 1 not in keys and find(tree, key) is not None
+    ]
+
+
 def below(tree: Tree, key: Key, levels: int = LEVELS) -> set[Key]:
     """A node and the branches under it, so many levels down: what is opened together."""
     found: set[Key] = set()

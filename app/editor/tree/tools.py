@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ..cut_line import CutLine
 from ..escape import takes_escape
 from .confidence_page import ConfidencePage
 from .cut_page import CutPage
@@ -27,7 +28,7 @@ HEIGHT = 112
 
 
 class Tools(QWidget):
-    """Buttons that each open a page, or close it again.
+    """Buttons that each open a page, or close it again, and beside them whose path is lit.
 
     Attributes:
         cut, prunes, confidence: The pages.
@@ -66,7 +67,10 @@ class Tools(QWidget):
             self._stack.addWidget(page)
             self.buttons[name] = button
             row.addWidget(button)
-        row.addStretch(1)
+        self.told = CutLine()
+        self.told.setProperty("role", "caption")
+        self.told.setAlignment(Qt.AlignmentFlag.AlignRight)
+        row.addWidget(self.told, 1)
         line = QFrame()
         line.setProperty("role", "hairline")
         line.setFixedHeight(1)
@@ -82,6 +86,11 @@ class Tools(QWidget):
         """The page that is open; empty if none is."""
         names = list(self.buttons)
         return names[self._stack.currentIndex()] if self._stack.isVisibleTo(self) else ""
+
+    def tell(self, words: str) -> None:
+        """Say whose path is lit, or what is missing for one to be."""
+        if words != self.told.text():
+            self.told.setText(words)
 
     def toggle(self, name: str) -> None:
         """Open a page, or close it if it is open."""

@@ -3,8 +3,8 @@
 from app.core.conditions import AtMost
 from app.core.examples import Example
 from app.core.tree import Branch, Leaf, Tree, TreeNode
-from app.editor.tree.reaching import Reaching
-from app.editor.tree.shape import HEIGHT, LEVELS, ROOT, WIDTH, below, find, lit, path_to, shape
+from app.editor.tree.reaching import Reaching, passed
+from app.editor.tree.shape import HEIGHT, LEVELS, ROOT, WIDTH, below, find, leaves, lit, path_to, shape
 
 
 def chain(length: int) -> Tree:
@@ -73,3 +73,15 @@ def test_examples_at_a_node_are_those_that_pass_its_path() -> None:
     tree = chain(9)
     assert reaching.ids(path_to(tree, 3)) == tuple(str(i) for i in range(9))
     assert reaching.ids(path_to(tree, 2)) == ("9",)
+
+
+def test_the_nodes_that_examples_pass_are_those_that_each_of_them_passes() -> None:
+    tree = Tree(("a", "b"), bushy(3))
+    examples = [Example(str(x), "s", "a", {"x": x}) for x in (0.5, 2.5, 9.0)]
+    keys = passed(tree, examples)
+    assert keys == {key for example in examples for key in lit(tree, example.values.__getitem__)}
+    assert sorted(leaves(tree, keys)) == sorted(lit(tree, e.values.__getitem__)[-1] for e in examples)
+
+
+def test_no_examples_pass_nothing() -> None:
+    assert passed(chain(3), []) == frozenset()
