@@ -7,6 +7,7 @@ from time import perf_counter
 from typing import ClassVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 #: Seconds of such work in a row, at most; then whatever else has come is dealt with first, so that the window answers.
@@ -20,14 +21,19 @@ class Soon(QObject):
 
     A timer of its own would do it too, but keys that come fast, or while the window is busy, are all delivered before a
     timer's turn: they would find what the first of them has changed as it was before. So who deals with keys catches up.
+
+    Args:
+        parent: What a widget puts off, only keys wait for that go to it, or into it.
+        everywhere: All keys do, e.g. since it says what they mean.
     """
 
     #: All that is due, the longest first.
     line: ClassVar[deque["Soon"]] = deque()
 
-    def __init__(self, parent: QObject, do: Callable[[], object]) -> None:
+    def __init__(self, parent: QObject, do: Callable[[], object], *, everywhere: bool = False) -> None:
         super().__init__(parent)
         self._do = do
+        self._of = None if everywhere or not isinstance(parent, QWidget) else parent
         self._is_in_line = False
 
     @property
@@ -51,8 +57,12 @@ class Soon(QObject):
             self._is_in_line = False
             self.line.remove(self)
 
+    def is_awaited(self, focus: QWidget) -> bool:
+        """Whether keys wait for it that go to *focus*."""
+        return self._of is None or self._of is focus or self._of.isAncestorOf(focus)
+
     def be_done(self) -> None:
-        """Do it: it is first in line."""
+        """Do it: it was in line."""
         self._is_in_line = False
         self._do()
 
@@ -102,9 +112,12 @@ def _timer() -> QTimer:
 
 
 def _do_first(line: deque[Soon]) -> None:
-    first = line.popleft()
-    if isValid(first):  # otherwise whoever it was for is gone
-        first.be_done()
+    _do(line.popleft())
+
+
+def _do(due: Soon) -> None:
+    if isValid(due):  # otherwise whoever it was for is gone
+        due.be_done()
 
 
 def _work() -> None:
@@ -119,10 +132,14 @@ def _work() -> None:
             _timer().start()
 
 
-def catch_up() -> None:
-    """Do now all that is to be done before the next key, and what that asks for in turn, up to `ROUNDS` deep."""
-    line = Soon.line
+def catch_up(focus: QWidget | None = None) -> None:
+    """Do now all that is to be done before the next key, and what that asks for in turn, up to `ROUNDS` deep.
+
+    Args:
+        focus: Where the key goes; without it, whatever is put off is done, wherever it goes.
+    """
     for _ in range(ROUNDS):
-        for _ in range(len(line)):
-            if line:  # one may have given up another
-                _do_first(line)
+        for due in tuple(Soon.line):
+            if due in Soon.line and (not isValid(due) or focus is None or due.is_awaited(focus)):
+                Soon.line.remove(due)  # one may have given up another
+                _do(due)

@@ -22,6 +22,7 @@ CROSS = 4.0
 
 #: Measuring text takes longer than all else; an automaton of 120 edges is measured at every edit.
 @lru_cache(maxsize=4096)
+@lru_cache(maxsize=4096)
 def label_size(label: Label) -> tuple[float, float]:
     """Width and height of what stands at an edge."""
     lines = lines_of(label)

@@ -77,9 +77,8 @@ class LessonPage(QWidget):
 
     def _connect(self) -> None:
         studio = self._studio
-        soon = Soon(
-            self, self.refresh
-        )  # a pick changes the project, what was learned from it, and the lesson
+        # A pick changes the project, what was learned from it, and the lesson; what keys mean is known to all of them.
+        soon = Soon(self, self.refresh, everywhere=True)
         studio.document.project_changed.connect(soon.ask)
         studio.colors.changed.connect(self._rebuild)
         studio.theme.changed.connect(self._rebuild)

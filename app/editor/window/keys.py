@@ -47,8 +47,8 @@ class OwnKeys(QObject):
     """Lets lists, boxes and sliders have the keys that move through them; the space bar switches, Enter presses buttons.
 
     Qt asks whoever has the focus before it looks for a shortcut, then all around it; the window answers for them. Before
-    that it takes what was typed as finished if the key is a command, and does what it has put off, so that the key finds
-    things, and what is possible, as they are by now. Buttons are pressed by Enter, since time goes on and stops by the
+    that it takes what was typed as finished if the key is a command, and does what was put off by whoever gets the key, so
+    that it finds things, and what is possible, as they are by now. Buttons are pressed by Enter, since time goes on and stops by the
     space bar wherever one is. Escape empties a filter and leaves a field: letters are shortcuts only outside of those.
     """
 
@@ -68,7 +68,7 @@ class OwnKeys(QObject):
             return False
         if _commands(event, self._window):
             finish_typing()
-        catch_up()
+        catch_up(QApplication.focusWidget())
         if belongs(event, QApplication.focusWidget()):
             event.accept()
             return True

@@ -1,8 +1,10 @@
 """What is to be done soon is done once, after all that is going on, or when it is needed."""
 
+from functools import partial
+
 import pytest
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.editor.soon import Later, Soon, catch_up
@@ -92,6 +94,22 @@ def test_nothing_is_done_for_who_is_gone(qapp: QApplication, done: list[str]) ->
     del owner, soon
     catch_up()
     assert done == []
+
+
+def test_a_key_waits_for_what_the_panel_that_gets_it_has_put_off_and_for_what_concerns_all_keys(
+    qtbot: QtBot, soon: Soon, done: list[str]
+) -> None:
+    panels = [QWidget(), QWidget()]
+    field = QLineEdit(panels[0])
+    for name, panel in zip(("own", "other"), panels, strict=True):
+        qtbot.addWidget(panel)
+        Soon(panel, partial(done.append, name)).ask()
+    Soon(panels[1], lambda: done.append("keys"), everywhere=True).ask()
+    soon.ask()
+    catch_up(field)
+    assert done == ["own", "keys", "it"]
+    catch_up(panels[1])
+    assert done == ["own", "keys", "it", "other"]
 
 
 # --------------------------------------------------------------------------------------------- what can wait
