@@ -25,6 +25,14 @@ ROW = int(Qt.ItemDataRole.UserRole)
 FIT = ROW + 1
 
 HEIGHT, GROUP_HEIGHT = 26, 28
+#: Flags of rows; Qt asks for them again and again.
+_BASIC = (
+    Qt.ItemFlag.ItemIsEnabled
+    | Qt.ItemFlag.ItemIsSelectable
+    | Qt.ItemFlag.ItemIsDragEnabled
+    | Qt.ItemFlag.ItemNeverHasChildren
+)
+_AUTOMATON = _BASIC | Qt.ItemFlag.ItemIsEditable
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -215,9 +223,7 @@ class LibraryModel(QAbstractItemModel):
         row = self.row(index)
         if row is None:
             return Qt.ItemFlag.ItemIsEnabled
-        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDragEnabled
-        flags |= Qt.ItemFlag.ItemNeverHasChildren
-        return flags | Qt.ItemFlag.ItemIsEditable if row.is_automaton else flags
+        return _AUTOMATON if row.is_automaton else _BASIC
 
     def mimeTypes(self) -> list[str]:
         """What a dragged behavior is."""

@@ -125,7 +125,7 @@ class LibraryPanel(QWidget):
     def _arm_changed(self) -> None:
         arm = self._studio.arm
         if (arm.name if arm is not None else "") != self._arm:
-            self.follow()
+            self._soon.ask()
 
     def follow(self) -> None:
         """Show the project as it is now."""
