@@ -24,7 +24,7 @@ def has_words(words: Sequence[str], *texts: str) -> bool:
 
 def has_word(word: str, low: str) -> bool:
     """Whether a word is anywhere in a text; a number is where one begins: who looks for 17 does not mean 117."""
-    return word in low and (not word[0].isdecimal() or _number(word).search(low) is not None)
+    return word in low and (not word[:1].isdecimal() or _number(word).search(low) is not None)
 
 
 @lru_cache(maxsize=64)

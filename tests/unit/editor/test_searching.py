@@ -19,3 +19,7 @@ def test_every_word_has_to_be_there_and_in_one_text() -> None:
 @pytest.mark.parametrize(("query", "found"), [("17", True), ("7", False), ("20", True), ("box3", True)])
 def test_a_number_is_looked_for_where_one_begins(query: str, found: bool) -> None:
     assert has_words(words_in(query), "Agent 17, arm 0020, box3") is found
+
+
+def test_a_word_of_which_nothing_was_typed_yet_is_anywhere() -> None:
+    assert has_words(["box", ""], "a box")
