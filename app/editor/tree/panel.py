@@ -108,6 +108,7 @@ class TreePanel(QWidget):
         self.which.setPrefix("tree ")
         self.which.setAccessibleName("Tree of the forest")
         self.which.setToolTip("Which tree of the forest is shown")
+        self.which.hide()  # until there is one: the panel begins no wider than it has to
         top = QHBoxLayout()
         top.setContentsMargins(8, 4, 8, 0)
         top.addWidget(QLabel("from"))
