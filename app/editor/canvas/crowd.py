@@ -12,6 +12,7 @@ from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
 from .ink import Ink
+from .pupils import paint_pupils
 from .stamp import stamp
 from .trails import MOST
 
@@ -149,17 +150,18 @@ def paint_rings(painter: QPainter, frame: Frame, ink: Ink) -> None:
     x, y = frame.places()
     radius = max(frame.agent_size * 0.5 + 5.0, 8.0)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    taught = agents_of(frame.scene, frame.taught)
-    for agents, color, more, width in (
-        (frame.selected(), frame.palette.accent, 0.0, 2.0),
-        (taught, frame.palette.teach, 3.0, 2.0),
-    ):
-        if agents.size > MOST_WIDE:
-            _paint_tight_rings(painter, frame, agents, QColor(color))
-            continue
-        painter.setPen(QPen(QColor(color), width))
-        for entity in agents.tolist():
-            painter.drawEllipse(QPointF(x[entity], y[entity]), radius + more, radius + more)
+    selected, taught = frame.selected(), agents_of(frame.scene, frame.taught)
+    if selected.size > MOST_WIDE:
+        _paint_tight_rings(painter, frame, selected, QColor(frame.palette.accent))
+    else:
+        painter.setPen(QPen(QColor(frame.palette.accent), 2.0))
+        for entity in selected.tolist():
+            painter.drawEllipse(QPointF(x[entity], y[entity]), radius, radius)
+    crowded = taught.size > MOST_WIDE
+    if crowded:
+        _paint_tight_rings(painter, frame, taught, QColor(frame.palette.teach))
+    paint_pupils(painter, frame, ink, radius + 3.0, crowded=crowded)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     if 0 <= frame.hovered < len(x):
         _paint_hovered(painter, frame, QPointF(x[frame.hovered], y[frame.hovered]), radius)
     if frame.nodes:

@@ -59,6 +59,8 @@ class Frame:
         extent: Of the world.
         nodes: Ids of the selected nodes.
         taught: Ids of those that do what the user picks.
+        pupils: Ids of those that are taught in a lesson, in the order of their turns.
+        turn: The one of them whose turn it is.
         lit: Places among the entries of the coloring, or -1 for all that are attached; the others fade. None lights all.
         hovered: The entity under the mouse, or -1.
         band: A rectangle being pulled open: left, top, right, bottom, pixels.
@@ -81,6 +83,8 @@ class Frame:
     band: tuple[float, float, float, float] | None = None
     targets: AbstractSet[int] | None = None
     ratio: float = 1.0
+    pupils: tuple[str, ...] = ()
+    turn: str = ""
 
     @property
     def agent_size(self) -> float:

@@ -98,6 +98,7 @@ class WorldCanvas(Surface):
             return None
         snapshot, coloring, hand = self._studio.snapshot, self._colored(scene), self.hand
         is_taught = self.is_live and snapshot is not None
+        lesson = snapshot.lesson if is_taught and snapshot is not None else None
         return Frame(
             scene,
             self.looking.camera,
@@ -114,6 +115,8 @@ class WorldCanvas(Surface):
             hand.band,
             hand.marked(),
             self.devicePixelRatioF(),
+            lesson.plan.nodes if lesson is not None else (),
+            self._studio.teaching.node if lesson is not None else "",
         )
 
     def _colored(self, scene: Scene) -> Coloring:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QKeySequence, QShortcut
-from PySide6.QtWidgets import QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 
 from ...core.amounts import counted
 from ...core.automaton import Basic
@@ -22,6 +22,7 @@ from .flow import ButtonFlow, Rows
 from .lesson_row import LessonRow
 from .target_row import TargetRow
 from .told import Told
+from .turn_label import TurnLabel
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -54,7 +55,7 @@ class LessonPage(QWidget):
         self.add.clicked.connect(self.open_list)
         self.list = AddList(self)
         self.list.chosen.connect(self.choose)
-        self.turn = QLabel()
+        self.turn = TurnLabel(studio.theme)
         self.next = self._action_button("teach.next")
         self.mend = self._action_button("teach.mend")
         self._teaching.choosing.changed.connect(self._make_room)  # before the row takes it
@@ -259,12 +260,8 @@ class LessonPage(QWidget):
         teaching, snapshot = self._teaching, self._studio.snapshot
         nodes = teaching.nodes
         if snapshot is not None:
-            at = (
-                f"{nodes.index(teaching.node) + 1} of {len(nodes)}: "
-                if teaching.node in nodes[:] and len(nodes) > 1
-                else ""
-            )
-            self.turn.setText(at + snapshot.place.called(teaching.node))
+            number = nodes.index(teaching.node) + 1 if teaching.node in nodes else 0
+            self.turn.tell(snapshot.place.called(teaching.node), number, len(nodes))
         adding = teaching.choosing.adding is not None  # which needs the room
         self.turn.setVisible(not adding)
         self.next.setVisible(len(nodes) > 1 and not adding)

@@ -64,7 +64,7 @@ def test_ctrl_tab_makes_it_the_next_ones_turn(hand: Hand) -> None:
     hand.key(Qt.Key.Key_Tab, CONTROL)
     assert hand.studio.teaching.node == "agent-7"
     assert hand.studio.selection.node == "agent-7"
-    hand.wait(lambda: hand.page.turn.text() == "2 of 2: Agent 7")
+    hand.wait(lambda: hand.page.turn.accessibleName() == "2 of 2: Agent 7")
     hand.settle()
     hand.pick("RotateLeft")
     assert hand.examples[-1].node == "agent-7"
@@ -106,7 +106,7 @@ def test_after_undo_it_is_the_turn_of_whose_pick_was_taken_back(hand: Hand) -> N
     assert hand.studio.teaching.node == "agent-7"
     hand.undo()
     assert hand.studio.teaching.node == "agent-3"
-    assert hand.page.turn.text() == "1 of 2: Agent 3"
+    assert hand.page.turn.accessibleName() == "1 of 2: Agent 3"
 
 
 def test_others_stand_still_or_run_by_a_switch(hand: Hand) -> None:
