@@ -58,12 +58,68 @@ def rebase(machine: Machine, types: Types, classifiers: Classifiers) -> MachineS
     """Go on with other libraries and models: every node goes on with what it does, as far as `thaw` can do that.
 
     Returns:
-        What the nodes did before.
+        What those nodes did that cannot go on with it, or are in another state for it.
     """
-    state = freeze(machine)
     machine.use(types, classifiers)
-    thaw(machine, state)
-    return state
+    now, lost = _Now(machine), {}
+    for node_id, actor in machine.actors.items():
+        run = None if actor.run is None else now.run(actor.node.type, actor.run)
+        if run is not actor.run and _path(run) != _path(actor.run):
+            lost[node_id] = _frozen(actor)
+        actor.run = run
+        if actor.direction is not None:
+            actor.direction = _direction(machine, actor.node.type, *actor.direction)
+    return {"now": machine.now, "nodes": lost}
+
+
+class _Now:
+    """What runs come to in a machine whose libraries have changed.
+
+    Most nodes do what others do as well, so it is kept what becomes of a behavior, and whether it can stay in a state.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self._behaviors: dict[tuple[str, int], Behavior | None] = {}  # by the old one
+        self._stays: dict[tuple[int, str, int | None], bool] = {}  # by behavior, state, and what that runs
+
+    def run(self, kind: str, run: Run) -> Run | None:
+        """The run to go on with, the same one if nothing about it is different."""
+        behavior = self._behavior(kind, run.behavior)
+        if behavior is None or any(parameter not in run.arguments for parameter in behavior.parameters):
+            return None
+        child = None if run.child is None else self.run(kind, run.child)
+        if isinstance(behavior, Automaton) and not self._stays_in(behavior, run.state, child):
+            return Run(behavior, run.arguments, run.flags, entered=self._machine.now, pulsed=run.pulsed)
+        if behavior is run.behavior and child is run.child:
+            return run
+        return Run(behavior, run.arguments, run.flags, run.state, run.entered, child, run.key, run.pulsed)
+
+    def _behavior(self, kind: str, old: Behavior) -> Behavior | None:
+        key = kind, id(old)
+        if key not in self._behaviors:
+            name = old.id if isinstance(old, Automaton) else old.name
+            self._behaviors[key] = _behavior(self._machine, kind, name, automaton=isinstance(old, Automaton))
+        return self._behaviors[key]
+
+    def _stays_in(self, automaton: Automaton, state: str, child: Run | None) -> bool:
+        key = id(automaton), state, None if child is None else id(child.behavior)
+        if key not in self._stays:
+            self._stays[key] = _holds(automaton, state, child)
+        return self._stays[key]
+
+
+def _path(run: Run | None) -> tuple[tuple[str, str], ...] | None:
+    """The automata that run, each with its state, outermost first; None of a node that idles."""
+    if run is None:
+        return None
+    path: list[tuple[str, str]] = []
+    link: Run | None = run
+    while link is not None:
+        if isinstance(link.behavior, Automaton):
+            path.append((link.behavior.id, link.state))
+        link = link.child
+    return tuple(path)
 
 
 def _thaw(machine: Machine, actor: Actor, frozen: Mapping[str, Any]) -> None:
@@ -99,8 +155,12 @@ def _frozen_run(run: Run) -> Mapping[str, Any]:
 
 
 def _thawed_run(machine: Machine, actor: Actor, frozen: Mapping[str, Any] | None) -> Run | None:
-    behavior = None if frozen is None else _behavior(machine, actor, frozen)
-    if frozen is None or behavior is None:
+    if frozen is None:
+        return None
+    is_automaton = frozen["automaton"] is not None
+    name = frozen["automaton"] if is_automaton else frozen["basic"]
+    behavior = _behavior(machine, actor.node.type, name, automaton=is_automaton)
+    if behavior is None:
         return None
     arguments = _arguments(machine, frozen["arguments"])
     if any(parameter not in arguments for parameter in behavior.parameters):
@@ -113,10 +173,11 @@ def _thawed_run(machine: Machine, actor: Actor, frozen: Mapping[str, Any] | None
     return run
 
 
-def _behavior(machine: Machine, actor: Actor, frozen: Mapping[str, Any]) -> Behavior | None:
-    if frozen["automaton"] is not None:
-        return machine.types.library(actor.node.type).automata.get(frozen["automaton"])
-    return machine.types.vocabulary(actor.node.type).behaviors.get(frozen["basic"])
+def _behavior(machine: Machine, kind: str, name: str, *, automaton: bool) -> Behavior | None:
+    """The automaton with an id, or the basic behavior with a name, that nodes of *kind* have."""
+    if automaton:
+        return machine.types.library(kind).automata.get(name)
+    return machine.types.vocabulary(kind).behaviors.get(name)
 
 
 def _holds(automaton: Automaton, state_id: str, child: Run | None) -> bool:
@@ -146,8 +207,11 @@ def _thawed_direction(
 ) -> tuple[str, Arguments] | None:
     if frozen is None:
         return None
-    name, arguments = frozen[0], _arguments(machine, frozen[1])
-    behavior = machine.types.vocabulary(actor.node.type).behaviors.get(name)
+    return _direction(machine, actor.node.type, frozen[0], _arguments(machine, frozen[1]))
+
+
+def _direction(machine: Machine, kind: str, name: str, arguments: Arguments) -> tuple[str, Arguments] | None:
+    behavior = _behavior(machine, kind, name, automaton=False)
     if behavior is None or any(parameter not in arguments for parameter in behavior.parameters):
         return None
     return name, arguments

@@ -1,6 +1,6 @@
 """Going on with a changed project: what it still knows of the arm, and what the nodes lost."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from ..core.errors import EditError, SessionError, UnderstudyError
@@ -8,7 +8,7 @@ from ..core.machine import Machine
 from ..core.machine_state import MachineState, resume_node
 from ..core.project import Arm, Project
 from .plan import some
-from .snapshots import Edit, NodeView, edited
+from .snapshots import Edit, edited
 
 
 class EditLog:
@@ -73,19 +73,31 @@ class LeftOff:
         self._instead.clear()
 
     def note(self, before: MachineState, machine: Machine) -> None:
-        """Remember what nodes did before an edit that do nothing since."""
-        for node_id, actor in machine.actors.items():
-            if actor.run is None and before["nodes"][node_id]["run"] is not None:
+        """Remember what nodes did before an edit that do nothing since.
+
+        Args:
+            before: As `rebase` returns it.
+        """
+        for node_id in before["nodes"]:
+            if machine.actors[node_id].run is None:
                 self._states.setdefault(node_id, before)
 
-    def resume(self, machine: Machine) -> None:
-        """Let those go on whose behavior is there again, if they have done nothing else of their own meanwhile."""
+    def resume(self, machine: Machine) -> set[str]:
+        """Let those go on whose behavior is there again, if they have done nothing else of their own meanwhile.
+
+        Returns:
+            Who goes on.
+        """
+        resumed: set[str] = set()
         for node_id, state in tuple(self._states.items()):
             run = machine.actors[node_id].run
             waits = run is None or run.behavior.name == self._instead.get(node_id)
-            if not waits or resume_node(machine, node_id, state):
+            if waits and resume_node(machine, node_id, state):
+                resumed.add(node_id)
+            if not waits or node_id in resumed:
                 del self._states[node_id]
                 self._instead.pop(node_id, None)
+        return resumed
 
     def begin_instead(self, machine: Machine, arm: Arm) -> Mapping[str, str]:
         """Let roots that do nothing any more start what the arm runs now, if it can be started.
@@ -105,16 +117,15 @@ class LeftOff:
         return begun
 
 
-def losses(
-    before: Mapping[str, NodeView], after: Mapping[str, NodeView], begun: Mapping[str, str]
-) -> Sequence[str]:
-    """Who does not do any more what it did, because that was edited away.
+def losses(nodes: Iterable[str], machine: Machine, begun: Mapping[str, str]) -> Sequence[str]:
+    """What nodes have lost that cannot go on as before, because that was edited away.
 
     Args:
         begun: What nodes that did nothing after it have begun with, by their ids.
     """
-    idle = [n for n, now in after.items() if before[n].behavior and not now.behavior and n not in begun]
-    back = [n for n, now in after.items() if now.behavior and now.path != before[n].path]
+    lost = [node_id for node_id in nodes if node_id not in begun]
+    idle = [node_id for node_id in lost if machine.actors[node_id].run is None]
+    back = [node_id for node_id in lost if machine.actors[node_id].run is not None]
     told = []
     if begun:
         what = " and ".join(dict.fromkeys(begun.values()))

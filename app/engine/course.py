@@ -35,7 +35,6 @@ from .snapshots import (
     Relearned,
     TakenBack,
     edited,
-    views,
 )
 from .transcript import Transcript
 
@@ -335,14 +334,13 @@ class Course:
 
     def _rebase(self, old: Project) -> None:
         machine, types = self._world.engine.machine, self.project.types_with(self._scenario.vocabulary)
-        before = views(machine)
         did = rebase(machine, types, self._models.classifiers)
-        self._left_off.resume(machine)
+        resumed = self._left_off.resume(machine)
         self._left_off.note(did, machine)
-        after = views(machine)
         free = self._lesson is None
         begun = self._left_off.begin_instead(machine, self._world.treatment.arm) if free else {}
-        self._events += [Interrupted(loss) for loss in losses(before, after, begun)]
+        lost = [node_id for node_id in did["nodes"] if node_id not in resumed]
+        self._events += [Interrupted(loss) for loss in losses(lost, machine, begun)]
         if self._lesson is not None:
             try:
                 self._events += [Interrupted(lost) for lost in self._lesson.project_changed()]

@@ -54,6 +54,11 @@ class Hand:
     x: float
     y: float
 
+    @property
+    def move(self) -> tuple[int, float, float]:
+        """Who was moved, and where to."""
+        return self.entity, self.x, self.y
+
 
 class Timeline:
     """The moments and the moves of one run, from the one that it began with."""
@@ -107,9 +112,8 @@ class Timeline:
             known.restore(engine)  # bodies are put up anew here, now as whenever this is gone through again
 
     def _repeat(self, engine: Engine) -> None:
-        for hand in self._hands:
-            if hand.tick == engine.tick:
-                engine.move(hand.entity, hand.x, hand.y)
+        if here := [hand.move for hand in self._hands if hand.tick == engine.tick]:
+            engine.move_all(here)
 
     # ------------------------------------------------------------------------------------- what a hand did
 

@@ -67,8 +67,8 @@ class Moves:
         """
         if not to:
             raise SessionError("a move has to name what is moved")
-        number = self.next
-        hands = tuple(Hand(engine.tick, entity, *spot) for entity, spot in to.items())
+        number, tick = self.next, engine.tick
+        hands = tuple(Hand(tick, entity, *spot) for entity, spot in to.items())
         before, after = self._do(engine, hands, timeline, number)
         self.next += 1
         return Moved(
@@ -109,7 +109,8 @@ class Moves:
         move = self._known(number)
         if not move.undone:
             raise SessionError(f"move {number} is not undone, so it cannot be done again")
-        hands = tuple(replace(hand, tick=engine.tick) for hand in move.hands)
+        tick = engine.tick
+        hands = tuple(Hand(tick, *hand.move) for hand in move.hands)
         self._do(engine, hands, timeline, number)
 
     def _do(
@@ -133,8 +134,7 @@ def _carry_out(engine: Engine, hands: tuple[Hand, ...], timeline: Timeline | Non
     """Move all or none; returns the world before."""
     before = _world(engine)
     try:
-        for hand in hands:
-            engine.move(hand.entity, hand.x, hand.y)
+        engine.move_all([hand.move for hand in hands])
         engine.columns()  # what cannot be shown is refused
     except UnderstudyError:
         if _differs(engine, before):  # a move that was refused outright has touched nothing
@@ -160,7 +160,7 @@ def _take_back(timeline: Timeline | None, hands: tuple[Hand, ...]) -> None:
 
 def _world(engine: Engine) -> Keyframe:
     """The world now, without what the nodes do: a move leaves that as it is."""
-    return Keyframe(engine.tick, engine.columns(), {"now": engine.shown.now, "nodes": {}})
+    return Keyframe(engine.tick, engine.columns(), {"now": engine.tick, "nodes": {}})
 
 
 def _spots(frame: Keyframe, hands: tuple[Hand, ...]) -> tuple[Spot, ...]:

@@ -275,10 +275,10 @@ class Session(Course):
     @_obey.register
     def _(self, command: MoveEntities) -> None:
         self._refuse_failed()
-        moved = self._world.move(command.to)
+        moved, tick = self._world.move(command.to), self.tick
         self._events.append(moved)
         acts = [
-            DemonstratedAct(self.tick, "", act="move", entity=entity, x=x, y=y)
+            DemonstratedAct(tick, "", act="move", entity=entity, x=x, y=y)
             for entity, (x, y) in command.to.items()
         ]
         self._transcript.move(moved.number, acts, learning=self._learns)

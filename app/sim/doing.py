@@ -113,10 +113,15 @@ class Roster:
         """What these nodes do."""
         runs: list[tuple[int, int, int, int]] = []  # row, level, behavior, state
         up: list[tuple[int, int]] = []  # row, flag
+        known: dict[tuple[str, int, str], tuple[int, int]] = {}  # most nodes do what others do as well
         for row, actor in enumerate(actors.values()):
             level, run, kind = 0, actor.run, actor.node.type
             while run is not None:
-                runs.append((row, level, *self._numbers(kind, run)))
+                alike = kind, id(run.behavior), run.state
+                numbers = known.get(alike)
+                if numbers is None:
+                    numbers = known[alike] = self._numbers(kind, run)
+                runs.append((row, level, *numbers))
                 level, run = level + 1, run.child
             if actor.flags or (actor.run is not None and actor.run.flags):
                 up += [(row, self._flags.setdefault(flag, len(self._flags))) for flag in _shown(actor)]

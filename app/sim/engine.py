@@ -165,6 +165,13 @@ class Engine(Protocol):
             ScenarioError: There is no such entity, the place is not finite, or the scenario's own function failed.
         """
 
+    def move_all(self, moves: Sequence[tuple[int, float, float]]) -> None:
+        """Put entities, each given with where to, somewhere else, as `move` does one after the other.
+
+        Raises:
+            ScenarioError: As above; those before it have been moved.
+        """
+
     def measures(self) -> Mapping[str, float]:
         """The scenario's measures now."""
 

@@ -152,6 +152,11 @@ class ReferenceEngine:
         else:
             self.world.x[entity], self.world.y[entity] = float(x), float(y)
 
+    def move_all(self, moves: Sequence[tuple[int, float, float]]) -> None:
+        """Put entities somewhere else, one after the other."""
+        for entity, x, y in moves:
+            self.move(entity, x, y)
+
     def spans(self) -> Mapping[str, range]:
         """The entities of each kind."""
         return spans(self.world, self._scenario)

@@ -5,6 +5,7 @@
 
 import os
 from collections.abc import Mapping
+from random import Random
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -88,6 +89,37 @@ def test_a_run_that_moves_to_the_compiled_engine_goes_on_as_if_it_had_not(seed: 
     found = KernelEngine(start, over=reference)
     compare(found, wanted, 20)
     assert found.obstacle == ""
+
+
+@settings(max_examples=EXAMPLES // 3)
+@given(SEEDS, st.integers(0, 20), st.randoms(use_true_random=False))
+def test_moving_many_at_once_is_moving_one_after_the_other(seed: int, ticks: int, random: Random) -> None:
+    found, wanted = pair(seed)
+    for engine in (found, wanted):
+        engine.step(ticks)
+    before = found.columns()
+    extent = float(max(before["x"].max(), before["y"].max()))
+    entities = random.sample(range(len(before["x"])), k=random.randint(1, len(before["x"])))
+    moves = [(entity, random.uniform(-9, extent + 9), random.uniform(-9, extent + 9)) for entity in entities]
+    found.move_all(moves)
+    for move in moves:
+        wanted.move(*move)
+    assert difference(found, wanted) == ""
+    compare(found, wanted, 5)
+
+
+@settings(max_examples=EXAMPLES // 3)
+@given(SEEDS, st.integers(0, 20), st.integers(0, 3))
+def test_a_world_is_put_back_though_the_nodes_go_on(seed: int, ticks: int, more: int) -> None:
+    found, wanted = pair(seed)
+    for engine in (found, wanted):
+        engine.step(ticks)
+        world = {name: column.tolist() for name, column in engine.columns().items()}
+        engine.move(0, 1.0, 2.0)
+        engine.step(more)
+        engine.restore(world, {"now": ticks, "nodes": {}})
+    assert difference(found, wanted) == ""
+    compare(found, wanted, 5)
 
 
 @settings(max_examples=EXAMPLES // 3)

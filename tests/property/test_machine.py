@@ -1,7 +1,9 @@
 """Properties of the machine over random libraries, forests and worlds."""
 
 import json
+from collections.abc import Mapping
 from random import Random
+from typing import Any
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -111,6 +113,36 @@ def test_rebasing_on_equal_libraries_changes_nothing(seed: int, before: int) -> 
     play(other, NoisySenses(seed), before)
     rebase(other, random_types(Random(seed)), stored_classifiers)
     assert play(other, NoisySenses(seed), 10) == play(machine, NoisySenses(seed), 10)
+
+
+@settings(max_examples=2 * EXAMPLES)
+@given(SEEDS, SEEDS, st.integers(0, 15))
+def test_going_on_with_other_libraries_is_freezing_and_thawing_under_them(
+    seed: int, edited: int, before: int
+) -> None:
+    machine, other = pair(seed, Machine)
+    play(machine, NoisySenses(seed), before)
+    play(other, NoisySenses(seed), before)
+    did, types = freeze(other), random_types(Random(edited))
+    lost = rebase(machine, types, stored_classifiers)
+    other.use(types, stored_classifiers)
+    thaw(other, did)
+    now = freeze(other)
+    assert freeze(machine) == now
+    elsewhere = {
+        node_id: was
+        for node_id, was in did["nodes"].items()
+        if path(was["run"]) != path(now["nodes"][node_id]["run"])
+    }
+    assert lost == {"now": did["now"], "nodes": elsewhere}
+
+
+def path(run: Mapping[str, Any] | None) -> list[tuple[str, str]] | None:
+    """The automata that a frozen run is, with their states; None of a node that idles."""
+    if run is None:
+        return None
+    below = [] if run["child"] is None else path(run["child"]) or []
+    return below if run["automaton"] is None else [(run["automaton"], run["state"]), *below]
 
 
 @settings(max_examples=EXAMPLES)

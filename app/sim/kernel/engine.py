@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.errors import ProgramError
+from ...core.errors import ProgramError, ScenarioError
 from ...core.library import Types
 from ...core.machine import Classifiers, Leaving, Machine, Senses, stored_classifiers
 from ...core.machine_state import MachineState
@@ -22,6 +22,7 @@ from ..scenario import World
 from ..sensing import WorldSenses
 from ..world import TICK, FrozenWorld
 from .build import Notice
+from .calls import MACHINE_KEY
 from .flat import FlatCopy, FlatWorld
 from .past import Lookout
 from .state import FrozenRuns, put_back, put_back_some, runs_of
@@ -257,13 +258,37 @@ class KernelEngine:
         self, world: Mapping[str, Sequence[float] | Sequence[int]], machine: Mapping[str, Any]
     ) -> None:
         """Go back to a copied world, and to what all nodes did then; chance goes on as it did there."""
-        self._to_python()
-        self._reference.restore(world, machine)
+        if self._in_columns and not machine["nodes"]:  # nobody does anything else for it
+            self._reference.restore(world, machine)
+            self._flat.read(self._reference.world)
+            self._flat.runs["once"][MACHINE_KEY] = self._reference.machine.key
+        else:
+            self._to_python()
+            self._reference.restore(world, machine)
 
     def move(self, entity: int, x: float, y: float) -> None:
         """Put an entity somewhere else, in world units, as far as the scenario allows."""
-        self._to_python()
-        self._reference.move(entity, x, y)
+        self.move_all([(entity, x, y)])
+
+    def move_all(self, moves: Sequence[tuple[int, float, float]]) -> None:
+        """Put entities somewhere else, one after the other."""
+        if not (self._in_columns and self._moved_in_columns(moves)):
+            self._to_python()
+            self._reference.move_all(moves)
+
+    def _moved_in_columns(self, moves: Sequence[tuple[int, float, float]]) -> bool:
+        """Move while the nodes stay in columns; False, and nothing is moved, where something is wrong with that."""
+        world = self._reference.world
+        copied, self._copied = self._copied, False
+        self._flat.write(world)
+        try:
+            self._reference.move_all(moves)
+            self._reference.columns()  # no column would hold what does not belong there
+        except ScenarioError:
+            return False
+        self._flat.read(world)
+        self._copied = copied
+        return True
 
 
 class _Lowered:

@@ -286,6 +286,9 @@ class _Reader:
         self._program = program
         self._sizes = program.sizes
         self._columns = columns
+        self._keys: dict[
+            tuple[int, ...], object
+        ] = {}  # by state and words: most nodes are where others are as well
 
     def node(self, node: int, actor: Actor) -> None:
         columns = self._columns
@@ -311,10 +314,7 @@ class _Reader:
         behavior: Automaton | BasicBehavior
         if what >= 0:
             behavior = self._program.automata[what].automaton
-            at = row * self._sizes.key_words
-            words = list(columns["keys"][at : at + self._sizes.key_words])
-            leaf = columns["leaf"][row]
-            key = self._program.key(state, words if leaf == NO_LEAF else [LEARNED, 0, leaf])
+            key = self._key(row, state)
         else:
             behavior, key = self._program.basics[-1 - what][1], None
         return Run(
@@ -328,7 +328,19 @@ class _Reader:
             bool(columns["pulsed"][row]),
         )
 
-    def _arguments(self, kind: str, row: int, parameters: Iterable[str]) -> Arguments:
+    def _key(self, row: int, state: int) -> object:
+        at, leaf = row * self._sizes.key_words, self._columns["leaf"][row]
+        words: tuple[int, ...] = (LEARNED, 0, leaf)
+        if leaf == NO_LEAF:
+            words = tuple(self._columns["keys"][at : at + self._sizes.key_words])
+        alike = (state, *words)
+        if alike not in self._keys:
+            self._keys[alike] = self._program.key(state, words)
+        return self._keys[alike]
+
+    def _arguments(self, kind: str, row: int, parameters: Sequence[str]) -> Arguments:
+        if not parameters:
+            return {}
         at = row * self._sizes.arguments
         return {
             parameter: Argument(

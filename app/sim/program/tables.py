@@ -4,7 +4,7 @@ Everything is meant by its row. States of all automata share one table; so do ba
 has it), feature uses, and the code of transition functions.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -185,7 +185,7 @@ class Program:
     nodes: tuple[str, ...]
     uses: tuple[str, ...]
 
-    def key(self, state: int, words: list[int]) -> object:
+    def key(self, state: int, words: Sequence[int]) -> object:
         """What decided, as `app.core.transition.Outcome.key` says it; None if nothing did yet."""
         row, first = self.states[state], words[0]
         if first == NO_KEY:

@@ -474,7 +474,8 @@ def drag(world: World, entity: int, x: float, y: float) -> None:
     dy = clamped(y, world.params.height) - world.y[entity]
     world.x[entity] += dx
     world.y[entity] += dy
-    carry(world, entity, dx, dy)
+    if world.pulling[entity] > 0:
+        carry(world, entity, dx, dy)
     if entity < world.agents:
         box = world.held[entity]
         if box >= 0 and distance(world, entity, box) > world.params.grab_range:

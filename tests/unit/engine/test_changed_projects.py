@@ -124,8 +124,10 @@ def test_undoing_a_deletion_lets_nodes_go_on_where_they_were() -> None:
     driver = Driver().advance(2)
     whole, path = driver.project, driver.view().path
     driver.edit(delete_automaton, AGENT, "Stroll", "Signal").advance(3)
+    told = driver.interruptions
     driver.edit(lambda _: whole)
     assert (driver.view().behavior, driver.view().path) == ("Stroll", path)
+    assert driver.interruptions == told  # nobody has lost anything
     place = driver.place()
     assert driver.advance().place() > place
     driver.edit(delete_automaton, AGENT, "Stroll", "Signal")  # as redo does

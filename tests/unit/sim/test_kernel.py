@@ -2,8 +2,9 @@
 
 import threading
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import replace
-from math import pi
+from math import inf, nan, pi
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -20,8 +21,10 @@ from app.sim import geometry
 from app.sim.engine import Control, Past, Start
 from app.sim.engines import COMPILED, REFERENCE, make_engine
 from app.sim.kernel import KernelEngine, build, linking, twins
+from app.sim.kernel import engine as kernel_engine
 from app.sim.reference import ReferenceEngine
-from app.sim.scenario import Scenario
+from app.sim.scenario import Scenario, World
+from app.sim.scenarios.foraging import scenario as foraging
 from tests import foragers, kernel_faults
 from tests.playground import FAULTS
 from tests.random_runs import compare, difference
@@ -181,6 +184,60 @@ def test_what_is_changed_between_ticks_counts() -> None:
         engine.move(50, 3.0, 4.0)
         engine.step(100)
     assert difference(found, wanted) == ""
+
+
+def test_who_is_moved_in_a_compiled_run_leaves_the_nodes_in_columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    start = forage("two levels")
+    found, wanted = KernelEngine(start), ReferenceEngine(start)
+    monkeypatch.setattr(kernel_engine, "put_back", refused)
+    for engine in (found, wanted):
+        engine.step(100)
+        before = {name: column.tolist() for name, column in engine.columns().items()}
+        engine.move_all([(0, 3.0, 4.0), (50, 5.0, 6.0)])
+        engine.restore(before, {"now": 100, "nodes": {}})
+        engine.move(1, 3.0, 4.0)
+        engine.step(100)
+    monkeypatch.undo()
+    assert difference(found, wanted) == ""
+
+
+def refused(*_: object) -> None:
+    """What must not be called."""
+    raise AssertionError("the nodes are put into plain Python")
+
+
+@pytest.mark.parametrize("place", [nan, inf])
+def test_a_move_that_spoils_a_compiled_world_does_what_it_does_to_any(place: float) -> None:
+    scenario = copy(foraging)
+    scenario.stages = {
+        **foraging.stages,
+        "moved": lambda world, entity, x, _y: spoil(world, entity, x, place),
+    }
+    start = replace(forage("independent"), scenario=scenario)
+    found, wanted = KernelEngine(start), ReferenceEngine(start)
+    for engine in (found, wanted):
+        engine.step(30)
+        engine.move_all([(0, 1.0, 1.0), (1, 2.0, 2.0)])
+        with pytest.raises(ScenarioError, match="column 'x' holds finite numbers, but entry 1 is"):
+            engine.columns()
+    assert freeze(found.machine) == freeze(wanted.machine)
+
+
+def spoil(world: World, entity: int, x: float, place: float) -> None:
+    """Put whoever is moved to 2.0 to a place that is none."""
+    world.x[entity] = place if x == 2.0 else x
+
+
+def test_of_moves_those_before_one_that_is_refused_have_been_made() -> None:
+    start = forage("independent")
+    found, wanted = KernelEngine(start), ReferenceEngine(start)
+    for engine in (found, wanted):
+        engine.step(30)
+        with pytest.raises(ScenarioError, match="cannot be put at"):
+            engine.move_all([(0, 1.0, 1.0), (1, inf, 2.0)])
+        assert engine.columns()["x"][0] == 1.0
+    assert difference(found, wanted) == ""
+    compare(found, wanted, 20)
 
 
 def test_agents_walk_where_they_head_even_if_something_else_has_turned_them() -> None:
