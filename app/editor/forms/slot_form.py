@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from ...core.features import Binding, Ground, Parameter
@@ -12,7 +13,25 @@ from ...core.vocabulary import Target
 from .tab_order import tab_through
 
 
-class SlotForm(QWidget):
+class BoxForm(QWidget):
+    """Boxes to choose from, which leave Enter to it.
+
+    Signals:
+        entered: Enter was pressed in one of them.
+    """
+
+    entered = Signal()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Ctrl+Enter and the like are for the window."""
+        is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and is_plain:
+            self.entered.emit()
+        else:
+            super().keyPressEvent(event)
+
+
+class SlotForm(BoxForm):
     """The slots of what a state holds or a feature senses, each bound to what exists.
 
     Signals:

@@ -37,6 +37,7 @@ class FeaturesPage(QWidget):
         self.new.changed.connect(self._ready)
         self.new.what.field.textChanged.connect(lambda _: self._ready())
         self.new.what.entered.connect(self._entered)
+        self.new.entered.connect(self._pressed)
         self.add = QPushButton("Add feature")
         self.add.setToolTip("Let the behavior look at this, too")
         stand_back(self.add)
@@ -138,8 +139,9 @@ class FeaturesPage(QWidget):
             self._add()
 
     def _pressed(self) -> None:
-        self.new.what.field.setFocus()  # for the next one: the button has nothing to add then
-        self._add()
+        if self.new.source is not None:
+            self.new.what.field.setFocus()  # for the next one: the button has nothing to add then
+            self._add()
 
     def _add(self) -> None:
         source, automaton, scope = self.new.source, self._automaton, self._editing.scope

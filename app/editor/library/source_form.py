@@ -23,7 +23,7 @@ from ...core.features import (
 )
 from ...core.vocabulary import STANDARD_FLAGS, Feature, FeatureKind
 from ..forms.choosing import Choice, Chooser
-from ..forms.slot_form import SlotForm
+from ..forms.slot_form import BoxForm, SlotForm
 
 #: How a controller sums up, in words.
 OPERATIONS: Mapping[Operation, tuple[str, str]] = {
@@ -59,9 +59,11 @@ class SourceForm(QWidget):
 
     Signals:
         changed: The user chose something else.
+        entered: Enter was pressed in what is chosen after what is looked at.
     """
 
     changed = Signal()
+    entered = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -76,7 +78,9 @@ class SourceForm(QWidget):
             box.activated.connect(lambda _: self.changed.emit())
         self.slots = SlotForm()
         self.slots.bound.connect(self._bound)
-        self._statistic = QWidget()
+        self._statistic = BoxForm()
+        for boxes in (self._statistic, self.slots):
+            boxes.entered.connect(self.entered)
         form = QFormLayout(self._statistic)
         form.setContentsMargins(0, 0, 0, 0)
         form.addRow("Of", self.over)

@@ -255,6 +255,22 @@ def test_enter_and_tab_go_from_what_a_feature_looks_at_to_what_that_leaves_open(
     assert dialog.focusWidget() is target
 
 
+def test_enter_adds_the_feature_once_its_target_is_chosen(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
+    dialog.tabs.setCurrentWidget(dialog.features)
+    form = dialog.features.new
+    choose(form.what, qtbot, "DistanceTo(target)")
+    target = form.slots.boxes["target"]
+    first = target.itemText(0)
+    qtbot.waitUntil(target.hasFocus)
+    qtbot.keyClick(target, Qt.Key.Key_Return)
+    assert dialog.draft.automaton is not None
+    assert not dialog.draft.automaton.features  # nothing is chosen yet
+    qtbot.keyClick(target, Qt.Key.Key_Down)
+    qtbot.keyClick(target, Qt.Key.Key_Return)
+    assert [use.shown for use in dialog.draft.automaton.features] == [f"DistanceTo({first})"]
+    assert form.what.field.hasFocus()  # for the next one
+
+
 def test_any_node_type_is_chosen_by_keys(dialog: NewAutomatonDialog, qtbot: QtBot) -> None:
     wanted = dialog.general.types.itemText(2)
     choose_type(dialog, qtbot, 2)
