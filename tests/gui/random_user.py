@@ -148,9 +148,8 @@ class RandomUser(Hand):
         """Press one of the buttons of the lesson."""
         if self.studio.teaching.lesson is None:
             return self.teach_something()
-        buttons = [
-            button for button in self.page.buttons.values() if button.isVisible() and button.isEnabled()
-        ]
+        every = (*self.page.buttons.values(), *self.page.new.values())
+        buttons = [button for button in every if button.isVisible() and button.isEnabled()]
         if not buttons:
             return "no button"
         button = self.chance.choice(buttons)

@@ -28,11 +28,16 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 
+#: Why what raises a flag is dim in Start.
+AT_ONCE = "It is in Start now: this would end the behavior before it has done anything"
+
+
 class LessonPage(QWidget):
     """What can be picked now.
 
     Attributes:
-        buttons: By what they pick: the id of a state, or the name of what is no state yet.
+        buttons: Those that pick a state, by its id.
+        new: Those that pick what is no state yet, by its name, which may be any state's id.
         choices: All that can be picked.
     """
 
@@ -42,6 +47,7 @@ class LessonPage(QWidget):
         self._teaching = studio.teaching
         self.choices: tuple[Choice, ...] = ()
         self.buttons: dict[str, BehaviorButton] = {}
+        self.new: dict[str, BehaviorButton] = {}
         self._shortcuts: list[QShortcut] = []
         self._built_from: tuple[object, ...] = ()
         self._order: tuple[Choice, ...] = ()  # as they stand; of what is taught since the lesson began
@@ -183,31 +189,32 @@ class LessonPage(QWidget):
         self.refresh()
 
     def _build(self) -> None:
-        for button in self.buttons.values():
+        for button in (*self.buttons.values(), *self.new.values()):
             button.hide()
             button.deleteLater()
         self._leave_shortcuts()
         shown = [choice for choice in self.choices if choice.state or choice.kind != "flag"]
-        self.buttons = {choice.state or choice.name: self._button(choice) for choice in shown}
+        self.buttons = {choice.state: self._button(choice) for choice in shown if choice.state}
+        self.new = {choice.name: self._button(choice) for choice in shown if not choice.state}
         self._shortcuts += [
             self._shortcut(choice, key) for choice in self.choices for key in (choice.key, choice.also) if key
         ]
         self._order = kept_in_place(shown, self._order)
-        new = [self.buttons[choice.name] for choice in shown if not choice.state]
-        self.flow.hold([*(self.buttons[c.state or c.name] for c in self._order), self.add], new)
+        self.flow.hold([*(self._button_of(c) for c in self._order), self.add], [*self.new.values()])
 
     def _leave_shortcuts(self) -> None:
         built = self._built_from
         self._leave()
         self._built_from = built
 
+    def _button_of(self, choice: Choice) -> BehaviorButton:
+        return self.buttons[choice.state] if choice.state else self.new[choice.name]
+
     def _button(self, choice: Choice) -> BehaviorButton:
         name = choice.name + ("…" if choice.slots else "")
         button = BehaviorButton(self._studio.theme, name, self._color(choice), choice.key)
         button.dress(ghost=not choice.state)
-        what = choice.doc or choice.name
-        keys = " or ".join(key for key in (choice.key, choice.also) if key)
-        button.setToolTip(f"{what} ({keys})" if keys else what)
+        button.setToolTip(_tip(choice))
         button.clicked.connect(lambda: self.choose(choice))
         return button
 
@@ -231,13 +238,11 @@ class LessonPage(QWidget):
         examples = self._studio.document.project.examples_of(key.type, key.id)
         counts = examples_by_label(examples)
         in_start = self._teaching.state in ("", "start")
-        for choice in self.choices:
-            button = self.buttons.get(choice.state or choice.name)
-            if button is None:
-                continue
-            count = counts.get(choice.state, 0) if choice.state else 0
-            told = counted(count, "example") if choice.state else ""
-            button.dress(caption=told, ghost=not choice.state, dimmed=bool(choice.raises) and in_start)
+        for choice in self._order:
+            told = counted(counts.get(choice.state, 0), "example") if choice.state else ""
+            button, dimmed = self._button_of(choice), bool(choice.raises) and in_start
+            button.dress(caption=told, ghost=not choice.state, dimmed=dimmed)
+            button.setToolTip(f"{_tip(choice)}\n{AT_ONCE}" if dimmed else _tip(choice))
         words, tip = self._kept_words()
         recorded = counted(len(examples), "example")
         self.row.count(f"{recorded}{words}", recorded, tip)
@@ -327,3 +332,10 @@ class LessonPage(QWidget):
             f" color: {colors.dim}; padding: 0 12px; }}"
             f" QToolButton:focus, QToolButton:hover {{ border-color: {colors.accent}; color: {colors.text}; }}"
         )
+
+
+def _tip(choice: Choice) -> str:
+    """What it does, and the keys that pick it."""
+    what = choice.doc or choice.name
+    keys = " or ".join(key for key in (choice.key, choice.also) if key)
+    return f"{what} ({keys})" if keys else what

@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 from app.core.automaton import Automaton
 from app.core.examples import Example
 from app.editor.selection import BehaviorKey
+from app.editor.teach.button import BehaviorButton
 from app.editor.teach.lesson_page import LessonPage
 from app.editor.teach.panel import TeachPanel
 from app.editor.teach.target_row import TargetRow
@@ -138,9 +139,14 @@ class Hand:
         self.wait(lambda: self.studio.mode is Mode.TEACHING)
         self.settle()
 
+    @property
+    def all_buttons(self) -> list[BehaviorButton]:
+        """Those of states, and of what is none yet."""
+        return [*self.page.buttons.values(), *self.page.new.values()]
+
     def pick(self, name: str) -> None:
         """Click the button that says *name*; where there is no room for it, find it in the list."""
-        buttons = {button.text().rstrip("…"): button for button in self.page.buttons.values()}
+        buttons = {button.text().rstrip("…"): button for button in self.all_buttons}
         assert name in buttons, f"{name} is not among {list(buttons)}"
         button = buttons[name]
         if button.isVisible():

@@ -75,6 +75,20 @@ def test_the_example_is_said_in_words_and_counted(hand: Hand) -> None:
     assert hand.page.buttons["return-with-box"]._caption == f"{counted} examples"
 
 
+def test_a_state_that_raises_a_flag_is_a_state_like_the_others_and_counted(hand: Hand) -> None:
+    hand.show("Goto", "agent-3")
+    hand.key(Qt.Key.Key_T)
+    hand.choose_target(hand.panel.idle.targets, "X", "deposit")
+    hand.wait(lambda: hand.studio.mode is Mode.TEACHING and bool(hand.page.buttons))
+    counted = sum(example.label == "done" for example in hand.examples)
+    assert hand.page.buttons["done"]._caption == f"{counted} examples"
+    assert "in Start now" in hand.page.buttons["done"].toolTip()
+    hand.pick("Forward")
+    hand.hold(1)
+    hand.wait(lambda: "in Start now" not in hand.page.buttons["done"].toolTip())
+    assert not hand.page.buttons["done"]._ghost
+
+
 def test_only_what_makes_no_circle_is_offered(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     offered = {choice.name for choice in hand.page.choices if not choice.state}
@@ -181,8 +195,8 @@ def test_a_behavior_without_states_shows_all_that_it_could_do(hand: Hand) -> Non
     new_id = document.do(add_automaton, "agent", "Blank")
     document.do(add_feature, "agent", new_id, Sense("ICanSeeABox"))
     hand.teach("Blank", "agent-3")
-    assert hand.page.buttons["Wander"].isVisible()
-    hand.act(lambda: hand.click(hand.page.buttons["Wander"]))
+    assert hand.page.new["Wander"].isVisible()
+    hand.act(lambda: hand.click(hand.page.new["Wander"]))
     assert hand.automaton.states[-1].content == Nested("wander")
 
 
@@ -190,7 +204,7 @@ def test_what_a_controller_directs_has_its_own_color_on_the_button_too(hand: Han
     with hand.qtbot.waitSignal(hand.studio.bridge.place_changed):
         hand.studio.use_arm("one level")
     hand.teach("ControlForage", "group-1", type_name="group")
-    colors = {button.text(): button.color for button in hand.page.buttons.values()}
+    colors = {button.text(): button.color for button in hand.all_buttons}
     assert colors["Forage"] == hand.studio.colors.color("agent", "forage")
     assert colors["ReturnWithBox"] == hand.studio.colors.color("agent", "return-with-box")
     assert colors["ReleaseBox"] == hand.studio.colors.color("agent", "")
@@ -201,17 +215,14 @@ def test_buttons_stay_where_they_are_while_what_they_pick_becomes_a_state(hand: 
 
     def stand() -> list[str]:
         """What can be picked, from left to right and from above."""
-        seen = [
-            (button.y(), button.x(), name) for name, button in hand.page.buttons.items() if button.isVisible()
-        ]
-        names = {choice.state: choice.name for choice in hand.page.choices}
-        return [names.get(name, name) for _, _, name in sorted(seen)]
+        seen = [(button.y(), button.x(), button.text()) for button in hand.all_buttons if button.isVisible()]
+        return [name for _, _, name in sorted(seen)]
 
     before = stand()
     at = before.index("GrabBox")
-    hand.act(lambda: hand.click(hand.page.buttons["GrabBox"]))
-    hand.wait(lambda: "GrabBox" not in hand.page.buttons)
+    hand.act(lambda: hand.click(hand.page.new["GrabBox"]))
+    hand.wait(lambda: "GrabBox" not in hand.page.new)
     assert stand()[: at + 1] == before[: at + 1]
     hand.undo()
-    hand.wait(lambda: "GrabBox" in hand.page.buttons)
+    hand.wait(lambda: "GrabBox" in hand.page.new)
     assert stand()[: at + 1] == before[: at + 1]
