@@ -31,14 +31,48 @@ SUBMENUS = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class When:
+    """When something is possible.
+
+    Attributes:
+        holds: Whether it is now.
+        first: What has to be done before it is, or why it cannot be: the tip says so while it is not.
+    """
+
+    holds: Callable[[Studio], bool]
+    first: str | Callable[[Studio], str]
+
+    def __call__(self, studio: Studio) -> bool:
+        """Whether it is possible now."""
+        return self.holds(studio)
+
+    def why_not(self, studio: Studio) -> str:
+        """Why it is not possible, as of now."""
+        return self.first if isinstance(self.first, str) else self.first(studio)
+
+
+def needs(first: str | Callable[[Studio], str]) -> Callable[[Callable[[Studio], bool]], When]:
+    """Make a condition of a function, with what has to be done *first* where it does not hold."""
+    return lambda holds: When(holds, first)
+
+
+@needs("")
 def always(_studio: Studio) -> bool:
     """Possible at any time."""
     return True
 
 
+@needs("open a project first")
 def when_open(studio: Studio) -> bool:
     """Possible while a project is open."""
     return studio.is_open
+
+
+@needs("open a project, and choose an arm of it")
+def when_there(studio: Studio) -> bool:
+    """Possible while there is a world."""
+    return studio.snapshot is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +87,7 @@ class ActionRow:
         keys: Shortcut, such as ``Ctrl+K``.
         tip: A sentence for tool tips and the status bar.
         icon: Name in the icon family.
-        enabled: Whether it is possible now.
+        enabled: Whether it is possible now, and why not.
         checked: For a switch: whether it is on now.
         says: For a text that changes: what it says now.
     """
@@ -66,7 +100,7 @@ class ActionRow:
     keys: str = ""
     tip: str = ""
     icon: str = ""
-    enabled: Callable[[Studio], bool] = always
+    enabled: When = always
     checked: Callable[[Studio], bool] | None = None
     says: Callable[[Studio], str] | None = None
 
@@ -149,6 +183,19 @@ class Actions(QObject):
         """The shortcut in force: the user's, or the row's own."""
         return self._studio.settings.keys.get(action_id, self._rows[action_id].keys)
 
+    def do(self, action_id: str) -> None:
+        """Carry out an action as things are now, or tell why that is not possible: for keys that a panel takes itself."""
+        self.refresh_some([action_id])
+        if self._actions[action_id].isEnabled():
+            self._actions[action_id].trigger()
+        else:
+            self._studio.warn(self.why_not(action_id))
+
+    def why_not(self, action_id: str) -> str:
+        """Why an action is not possible; empty if it is."""
+        possible = self._actions[action_id].isEnabled()
+        return "" if possible else self._rows[action_id].enabled.why_not(self._studio)
+
     def _made(self, row: ActionRow) -> _Action:
         action = _Action(self)
         action.setObjectName(row.id)
@@ -184,7 +231,8 @@ class Actions(QObject):
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         tip, text = row.tip or row.text.rstrip("…"), self.text_of(row.id)
         tip = f"{tip} ({keys})" if keys else tip
-        action.setToolTip(tip if text == row.text else f"{text}\n{tip}")
+        why_not = "" if action.isEnabled() else f"Not now: {row.enabled.why_not(self._studio)}"
+        action.setToolTip("\n".join(filter(None, ("" if text == row.text else text, tip, why_not))))
 
     def refresh(self) -> None:
         """Texts, checks, and what is possible, as things are now."""
@@ -197,12 +245,16 @@ class Actions(QObject):
                 self._refresh(self._rows[action_id], self._actions[action_id])
 
     def _refresh(self, row: ActionRow, action: QAction) -> None:
-        studio = self._studio
+        studio, was_possible = self._studio, action.isEnabled()
         action.setEnabled(row.enabled(studio))
         if row.checked is not None:
             action.setChecked(row.checked(studio))
         if row.says is not None:
             self._say(row, action)
+        elif was_possible is not action.isEnabled() or (
+            callable(row.enabled.first) and not action.isEnabled()
+        ):
+            self._tell_keys(row, action)
 
     def _say(self, row: ActionRow, action: QAction) -> None:
         action.setText(marked(self.text_of(row.id), self._letters.get(row.id, "")))

@@ -14,6 +14,7 @@ from .settings import Settings
 
 #: Milliseconds without another change before learning begins: a drag is learned from once.
 PATIENCE = 120
+UP_TO_DATE = "no behavior has changed since it was learned"
 
 
 class Relearning(QObject):
@@ -25,7 +26,7 @@ class Relearning(QObject):
 
     Signals:
         changed: Learning began or ended.
-        told: What could not be learned, and why.
+        told: What could not be learned, and why, or that there is nothing to learn.
     """
 
     changed = Signal()
@@ -40,11 +41,17 @@ class Relearning(QObject):
         self.busy = False
         self.learned_at = 0.0
         self._problems: tuple[str, ...] = ()
+        self._is_asked = False
         self._soon = QTimer(self, interval=PATIENCE, singleShot=True)
         self._soon.timeout.connect(self.learn)
         self._ready.connect(self._take)
         document.project_changed.connect(self._project_changed)
         document.opened.connect(self._opened)
+
+    def ask(self) -> None:
+        """Learn now what is stale, as the user has asked for: where nothing is, that is told."""
+        self._is_asked = True
+        self.learn()
 
     def learn(self) -> None:
         """Learn now what is stale."""
@@ -60,6 +67,7 @@ class Relearning(QObject):
     def _opened(self) -> None:
         self._soon.stop()
         self._relearner.give_up()
+        self._is_asked = False
         self._set_busy(busy=False)
         self.learned_at = 0.0
 
@@ -70,6 +78,7 @@ class Relearning(QObject):
         if self._settings.learns_by_itself:
             self._soon.start()
         else:
+            self._is_asked = False
             self._set_busy(busy=False)
 
     def _take(self) -> None:
@@ -87,9 +96,11 @@ class Relearning(QObject):
         if answer.learned.automata or answer.filled:
             self._document.amend(lambda project: _with(project, answer))
         for problem in answer.problems:
-            if problem not in self._problems:
+            if self._is_asked or problem not in self._problems:
                 self.told.emit(problem)
-        self._problems = answer.problems
+        if self._is_asked and not answer.changes and not answer.problems:
+            self.told.emit(UP_TO_DATE)
+        self._problems, self._is_asked = answer.problems, False
 
     def _set_busy(self, *, busy: bool) -> None:
         if busy is not self.busy:

@@ -20,6 +20,14 @@ if TYPE_CHECKING:
     from ..studio import Studio
     from .panel import AgentsPanel
 
+#: Why nodes stay where they are.
+_NO_WAY = {
+    Move.UP: "what is selected stands first already, or not all under the same controller",
+    Move.DOWN: "what is selected stands last already, or not all under the same controller",
+    Move.OUT: "what is selected stands under no controller, or not all under the same one",
+    Move.IN: "there is no controller right above what is selected, or it stands not all under the same one",
+}
+
 
 class ForestHand:
     """Changes the forest of the arm that is shown."""
@@ -114,6 +122,8 @@ class ForestHand:
         plan = moved(forest_of(self._studio.arm)[0], ids, way)
         if plan is not None:
             self.move(ids, *plan)
+        else:
+            self._studio.say(_NO_WAY[way])
 
     def _select_made(self, made: object) -> None:
         if isinstance(made, str):

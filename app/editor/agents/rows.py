@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, needs, when_open
 from .arms_dialog import arms_and_worlds
 from .moving import Move
 
@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from .panel import AgentsPanel
 
 
+@needs("open a project, and choose an arm of it")
 def has_arm(studio: Studio) -> bool:
     """Whether there is an arm whose forest can be changed."""
     return studio.is_open and studio.arm is not None
 
 
+@needs("select agents or controllers first")
 def has_nodes(studio: Studio) -> bool:
     """Whether nodes are selected."""
     return has_arm(studio) and bool(studio.selection.nodes)

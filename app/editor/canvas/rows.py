@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow
+from ..actions import ActionRow, When, when_there
 from .coloring import COLOR_WORDS, ColorBy
 from .looking import STEP, Looking
 
 if TYPE_CHECKING:
-    from ..studio import Studio
+    pass
 
 #: Name among the options, text, tip, keys.
 _SHOWN = (
@@ -38,16 +38,13 @@ _SHOWN = (
 )
 
 
-def has_world(studio: Studio) -> bool:
-    """Whether there is something to look at."""
-    return studio.snapshot is not None
-
-
 def camera_rows(looking: Looking) -> tuple[ActionRow, ...]:
     """Zooming, fitting, following."""
 
     def row(name: str, text: str, do: Callable[[], object], keys: str, tip: str, icon: str) -> ActionRow:
-        return ActionRow(f"canvas.{name}", text, "View", lambda _: do(), "camera", keys, tip, icon, has_world)
+        return ActionRow(
+            f"canvas.{name}", text, "View", lambda _: do(), "camera", keys, tip, icon, when_there
+        )
 
     return (
         row(
@@ -76,7 +73,10 @@ def camera_rows(looking: Looking) -> tuple[ActionRow, ...]:
             "Ctrl+Shift+F",
             "Keep the selected agent, or the agents of the selected controller, in the middle",
             "crosshairs-gps",
-            lambda studio: has_world(studio) and bool(studio.selection.nodes),
+            When(
+                lambda studio: when_there(studio) and bool(studio.selection.nodes),
+                "select an agent or a controller first",
+            ),
             lambda _: looking.follows,
         ),
     )
@@ -94,7 +94,7 @@ def shown_rows(looking: Looking) -> tuple[ActionRow, ...]:
             "world",
             keys,
             tip,
-            enabled=has_world,
+            enabled=when_there,
             checked=lambda _: getattr(looking.options, name),
         )
 
@@ -113,7 +113,7 @@ def color_rows(looking: Looking) -> tuple[ActionRow, ...]:
             lambda _: looking.color(by),
             "colors",
             tip=_TIPS[by],
-            enabled=has_world,
+            enabled=when_there,
             checked=lambda _: looking.color_by is by,
         )
 

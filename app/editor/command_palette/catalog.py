@@ -168,7 +168,7 @@ def _actions(studio: Studio) -> Section:
     def entry(at: int) -> Entry:
         row, action = rows[at], studio.actions[rows[at].id]
         do = action.trigger if action.isEnabled() else None
-        said = row.tip if do is not None else "not possible now"
+        said = row.tip if do is not None else f"not now: {studio.actions.why_not(row.id)}"
         return Entry("action", texts[at], " · ".join(filter(None, (row.menu, said))), keys[at], do)
 
     return Section("action", texts, entry, 6, others)

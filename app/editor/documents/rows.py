@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, When, needs, when_open
 
 if TYPE_CHECKING:
     from ..studio import Studio
     from .files import Files
 
 
+@needs(lambda studio: "all is saved" if studio.is_open else when_open.why_not(studio))
 def can_save(studio: Studio) -> bool:
     """Whether there is something that no folder holds yet."""
     return studio.is_open and (not studio.document.is_saved or studio.document.folder is None)
@@ -69,7 +70,10 @@ def file_rows(files: Files) -> tuple[ActionRow, ...]:
             "save",
             tip="Go back to what the project's folder holds",
             icon="file-refresh-outline",
-            enabled=lambda studio: studio.is_open and files.held.folder is not None,
+            enabled=When(
+                lambda studio: studio.is_open and files.held.folder is not None,
+                lambda studio: "save the project first" if studio.is_open else when_open.why_not(studio),
+            ),
         ),
     )
 

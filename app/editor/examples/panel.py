@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QStackedLayout, QVBox
 
 from ...core.amounts import counted
 from ...core.edits import disable_examples, enable_examples, relabel_examples, weight_examples
+from ...core.remembered import Remembered
 from ...engine.snapshots import Mode
 from ...engine.turns import AFTER_EDITS
 from ...engine.worker import Worker
@@ -73,6 +74,7 @@ class ExamplesPanel(QWidget):
         self._shown: tuple[object, object] = (None, None)
         self._cursor = "", 0  # an example and a column
         self._matter: Matter | None = None
+        self._chosen_kinds = Remembered[str, set[bool]]()
         self._selecting = False
         self._closed = False
         self._connect()
@@ -214,6 +216,25 @@ class ExamplesPanel(QWidget):
     def chosen(self) -> tuple[str, ...]:
         """Ids of the examples that are selected."""
         return self._studio.selection.examples
+
+    def has_chosen(self, *, on: bool) -> bool:
+        """Whether any of the selected examples is learned from, or kept from it."""
+        shown, chosen = self._studio.selection.behavior, self.chosen
+        if shown is None or not chosen:
+            return False
+        there = self._studio.document.project.examples_of(shown.type, shown.id)
+
+        def kinds() -> set[bool]:
+            wanted = set(chosen)
+            return {example.enabled for example in there if example.id in wanted}
+
+        return on in self._chosen_kinds.of("", (chosen, there), kinds)
+
+    @property
+    def has_moment(self) -> bool:
+        """Whether a single example is selected, and its moment is known."""
+        example = self._only_chosen()
+        return example is not None and example.snapshot in self._studio.document.project.moments
 
     def _selected(self) -> None:
         if self._selecting:

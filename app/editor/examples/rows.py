@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, When, needs
 
 if TYPE_CHECKING:
     from ..studio import Studio
     from .panel import ExamplesPanel
 
 
+NONE_CHOSEN = "select examples first"
+
+
 def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
     """The actions."""
 
+    @needs(NONE_CHOSEN)
     def chosen(_studio: Studio) -> bool:
         return bool(panel.chosen)
 
@@ -27,7 +31,7 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "Ctrl+Backspace",
             "Keep the selected examples, but do not learn from them",
             "circle-off-outline",
-            chosen,
+            When(lambda _: panel.has_chosen(on=True), "select examples that are learned from"),
         ),
         ActionRow(
             "examples.enable",
@@ -38,7 +42,7 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "Ctrl+Shift+Backspace",
             "Learn from the selected examples again",
             "check",
-            chosen,
+            When(lambda _: panel.has_chosen(on=False), "select examples that are not learned from"),
         ),
         ActionRow(
             "examples.relabel",
@@ -70,7 +74,7 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "Ctrl+M",
             "Show on the canvas when the selected example was recorded",
             "history",
-            chosen,
+            When(lambda _: panel.has_moment, "select one example, of which the moment is known"),
         ),
         ActionRow(
             "examples.conflicts",
@@ -80,6 +84,6 @@ def example_rows(panel: ExamplesPanel) -> tuple[ActionRow, ...]:
             "examples",
             tip="Show only examples of the behavior that contradict each other: equal features, another label",
             icon="swap-horizontal-bold",
-            enabled=when_open,
+            enabled=When(lambda _: panel.model.subject is not None, "choose a behavior in the library first"),
         ),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, When, when_open
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -60,6 +60,9 @@ class Experiments:
                 lambda _: self.show().listing.build(),
                 tip="Build an experiment: arms, what is varied, how often, what is claimed",
                 icon="flask-plus-outline",
-                enabled=lambda studio: studio.is_open and studio.document.folder is not None,
+                enabled=When(
+                    lambda studio: studio.is_open and studio.document.folder is not None,
+                    "open a project that is saved, or save this one: experiments are kept in its folder",
+                ),
             ),
         )

@@ -5,13 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from ...core.automaton import START
 from ...export.graph import WayKind
-from ..actions import ActionRow
+from ..actions import ActionRow, When
 
 if TYPE_CHECKING:
     from ..studio import Studio
     from .panel import GraphPanel
     from .state_item import Path
+
+
+NOT_SHOWN = "choose a behavior in the library, and show the panel Automaton"
+NO_STATE = "select a state in the graph first"
+NO_OWN = "select a state in the graph first; Start is in every automaton, once"
+NO_EDGE = "select a transition in the graph first"
 
 
 class _Able:
@@ -29,8 +36,21 @@ class _Able:
     def has_edge(self, _studio: Studio) -> bool:
         return self._panel.scene.edge is not None and self._panel.isVisible()
 
+    def has_own(self, studio: Studio) -> bool:
+        """Whether a state other than Start is selected."""
+        return self.has_state(studio) and any(path[-1] != START for path in self._panel.scene.selected)
+
     def has_any(self, studio: Studio) -> bool:
         return self.has_state(studio) or self.has_edge(studio)
+
+    def has_removable(self, studio: Studio) -> bool:
+        return self.has_own(studio) or self.has_edge(studio)
+
+    def has_copied(self, studio: Studio) -> bool:
+        return self.shows(studio) and not self._panel.editing.why_no_paste
+
+    def why_no_paste(self, studio: Studio) -> str:
+        return self._panel.editing.why_no_paste if self.shows(studio) else NOT_SHOWN
 
     def has_prunes(self, studio: Studio) -> bool:
         edge = self._panel.scene.edge
@@ -89,7 +109,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Choose what a new state holds; a behavior can also be dragged here from the library",
             keys="Ctrl+Shift+A",
             icon="plus-box-outline",
-            enabled=able.shows,
+            enabled=When(able.shows, NOT_SHOWN),
         ),
         row(
             "link",
@@ -98,7 +118,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "From the selected state: choose where it leads with the arrow keys and Enter, or by a click",
             keys="Ctrl+T",
             icon="arrow-right-thin",
-            enabled=able.has_state,
+            enabled=When(able.has_state, NO_STATE),
         ),
         row(
             "edit",
@@ -106,7 +126,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             lambda _: panel.edit(),
             "Open the form of what is selected in the automaton graph; F2 does the same",
             icon="pencil-outline",
-            enabled=able.has_any,
+            enabled=When(able.has_any, "select a state or a transition in the graph first"),
         ),
         row(
             "add_rule",
@@ -114,7 +134,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             add_rule,
             "One more rule between the same states",
             icon="source-branch-plus",
-            enabled=able.has_edge,
+            enabled=When(able.has_edge, NO_EDGE),
         ),
         row(
             "author",
@@ -122,7 +142,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             with_state(panel.editing.author),
             "Rules that do what its decision tree does now",
             icon="playlist-edit",
-            enabled=able.has_learned,
+            enabled=When(able.has_learned, "select a state in the graph that has learned to leave"),
         ),
         row(
             "unauthor",
@@ -130,7 +150,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             with_state(panel.editing.unauthor),
             "What the state learned decides alone again",
             icon="playlist-remove",
-            enabled=able.has_rules,
+            enabled=When(able.has_rules, "select a state in the graph that has rules"),
         ),
         row(
             "copy",
@@ -138,7 +158,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             lambda _: panel.editing.copy(panel.scene.selected),
             "With the transitions among them; Ctrl+C in the graph. Ctrl and a click select several",
             icon="content-copy",
-            enabled=able.has_state,
+            enabled=When(able.has_own, NO_OWN),
         ),
         row(
             "paste",
@@ -146,7 +166,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             lambda _: panel.paste(),
             "Put copied states into the automaton; Ctrl+V in the graph",
             icon="content-paste",
-            enabled=able.shows,
+            enabled=When(able.has_copied, able.why_no_paste),
         ),
         row(
             "duplicate",
@@ -154,7 +174,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             lambda _: panel.duplicate(),
             "Copies beside the selected states, with their transitions; Ctrl+D in the graph",
             icon="content-duplicate",
-            enabled=able.has_state,
+            enabled=When(able.has_own, NO_OWN),
         ),
         row(
             "remove",
@@ -163,7 +183,7 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             "Rules are removed, what was learned is pruned; Delete in the graph",
             says=able.removal_words,
             icon="delete-outline",
-            enabled=able.has_any,
+            enabled=When(able.has_removable, f"{NO_OWN}; or select a transition"),
         ),
         row(
             "unprune",
@@ -171,6 +191,6 @@ def authoring_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
             take_back,
             "What was learned may lead there again",
             icon="restore",
-            enabled=able.has_prunes,
+            enabled=When(able.has_prunes, "select a transition in the graph of which something is pruned"),
         ),
     )

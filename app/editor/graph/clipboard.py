@@ -5,7 +5,7 @@ import json
 from dataclasses import asdict, dataclass
 from functools import cache
 
-from PySide6.QtCore import QMimeData
+from PySide6.QtCore import QMimeData, QObject, Signal
 from PySide6.QtGui import QGuiApplication
 
 STATES_MIME = "application/x-understudy-states"
@@ -23,6 +23,43 @@ class CopiedStates:
     type: str
     automaton: str
     states: tuple[str, ...]
+
+
+class Held(QObject):
+    """Which states the clipboard holds that were copied here.
+
+    What other programs put there is never fetched before it is pasted: a slow one would hold up the window.
+
+    Attributes:
+        copied: The states, if it holds any.
+
+    Signals:
+        changed: It holds something else.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.copied: CopiedStates | None = None
+        self._is_putting = False
+        QGuiApplication.clipboard().dataChanged.connect(self._look)
+
+    def put(self, copied: CopiedStates, names: str) -> None:
+        """See the function of that name."""
+        self._is_putting = True
+        put(copied, names)
+        self._is_putting = False
+        self._take(copied)
+
+    def _look(self) -> None:
+        if not self._is_putting:  # some systems tell of it later: it is ours then
+            self._take(there() if QGuiApplication.clipboard().ownsClipboard() else None)
+
+    def _take(self, copied: CopiedStates | None) -> None:
+        if copied != self.copied:
+            self.copied = copied
+            self.changed.emit()
 
 
 def put(copied: CopiedStates, names: str) -> None:

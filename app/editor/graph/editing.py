@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
 #: How far copies stand from all that was there.
 ASIDE = 40.0
+NOTHING_COPIED = "there are no states in the clipboard: select some and copy them first"
 ELSEWHERE = "the states in the clipboard were copied from another project: export the behavior there, and import it here"
 LEARNED_COPIED = "what the states learned came along as rules; the examples stay where they were taught"
 #: What one step does: project in, project and more out.
@@ -47,13 +48,18 @@ Step = Callable[[Project], tuple[Project, Any]]
 
 
 class GraphEditing:
-    """Edits of the automata that are shown."""
+    """Edits of the automata that are shown.
+
+    Attributes:
+        held: What was copied.
+    """
 
     def __init__(self, studio: Studio, scene: GraphScene) -> None:
         self._studio = studio
         self._scene = scene
         self._copied: tuple[clipboard.CopiedStates, Automaton] | None = None
         self._project = uuid4().hex
+        self.held = clipboard.Held(scene)
         studio.opened.connect(self._opened)
 
     def _opened(self) -> None:
@@ -229,8 +235,16 @@ class GraphEditing:
         names = ", ".join(self._name(level, state) for state in ids)
         copied = clipboard.CopiedStates(self._project, level.type, level.automaton.id, ids)
         self._copied = copied, level.automaton
-        clipboard.put(copied, names)
+        self.held.put(copied, names)
         return True
+
+    @property
+    def why_no_paste(self) -> str:
+        """Why there is nothing to paste; empty if there is."""
+        copied = self.held.copied
+        if copied is None:
+            return NOTHING_COPIED
+        return "" if copied.project == self._project else ELSEWHERE
 
     def paste(self, level: Drawn) -> list[Path]:
         """Copies of the states in the clipboard, with the transitions among them; returns where they are.
@@ -239,7 +253,7 @@ class GraphEditing:
         """
         copied = clipboard.there()
         if copied is None:
-            self._studio.warn("there are no states in the clipboard: select some and copy them first")
+            self._studio.warn(NOTHING_COPIED)
             return []
         if copied.project != self._project:
             self._studio.warn(ELSEWHERE)

@@ -119,7 +119,8 @@ class GraphPanel(QWidget):
         self.view.dropped.connect(self._dropped)
         self.view.menu_wanted.connect(self._menu)
         self.form.closed.connect(self.close_form)
-        self.view.clipped.connect(lambda what: self.studio.actions[f"graph.{what}"].trigger())
+        self.view.clipped.connect(self._clip)
+        self.editing.held.changed.connect(self._copied)
         self.view.cancelled.connect(self._cancelled)
         self.view.moved.connect(self.move_state)
         self.view.nudged.connect(lambda path, by: self.move_state(path, by, gesture="nudge"))
@@ -353,6 +354,16 @@ class GraphPanel(QWidget):
     def remove(self) -> None:
         """Remove what is selected."""
         self.editing.remove(self.scene.selected, self.scene.edge)
+
+    def _copied(self) -> None:
+        self.studio.actions.refresh_some(["graph.paste"])
+
+    def _clip(self, what: str) -> None:
+        """Do what a key for copying asks for; to paste is to look into the clipboard, whoever has filled it."""
+        if what == "paste":
+            self.paste()
+        else:
+            self.studio.actions.do(f"graph.{what}")
 
     def paste(self) -> None:
         """Put in copies of the states in the clipboard."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...core.wording import state_words
-from ..actions import ActionRow
+from ..actions import ActionRow, When
 from ..selection import BehaviorKey
 
 if TYPE_CHECKING:
@@ -42,6 +42,9 @@ def picking_row(panel: GraphPanel) -> ActionRow:
         "lesson",
         tip="Let the node that is taught do what the selected state of the graph holds, from the next tick on",
         icon="gesture-tap",
-        enabled=lambda studio: state(studio) != "",
+        enabled=When(
+            lambda studio: state(studio) != "",
+            "teach the behavior that is shown, and select one of its states in the graph",
+        ),
         says=says,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...core.edits import forget_layout
-from ..actions import ActionRow
+from ..actions import ActionRow, needs
 from .authoring_rows import authoring_rows
 from .picking import picking_row
 
@@ -19,13 +19,16 @@ STEP = 1.25
 def graph_rows(panel: GraphPanel) -> tuple[ActionRow, ...]:
     """Looking at the graph, and where states stand."""
 
+    @needs("choose a behavior in the library first, and show the panel Automaton")
     def shows(_studio: Studio) -> bool:
         return panel.root is not None and panel.isVisible()
 
+    @needs("select a state that holds an automaton in the graph first")
     def has_nested(_studio: Studio) -> bool:
         current = panel.scene.current
         return panel.isVisible() and current is not None and bool(panel.scene.states[current].state.nested)
 
+    @needs("nothing was moved by hand in the graph that is shown")
     def has_layout(studio: Studio) -> bool:
         key = panel.root
         return (

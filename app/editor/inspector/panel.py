@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, QUrl, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QTextBrowser, QWidget
 
-from ..actions import ActionRow
+from ..actions import ActionRow, When
 from ..selection import BehaviorKey
 from ..soon import Later, Soon
 from .telling import LevelTold, Told, tell, tell_why_not
@@ -206,7 +206,7 @@ def inspector_rows(panel: InspectorPanel) -> tuple[ActionRow, ...]:
             "Ctrl+E",
             "Select the examples because of which the selected node does what it does",
             "format-list-bulleted",
-            lambda _: panel.has_examples,
+            When(lambda _: panel.has_examples, "select a node that does what it has learned"),
         ),
     )
 

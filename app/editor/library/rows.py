@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, needs, when_open
 from .new_automaton import new_automaton
 from .settings_dialog import behavior_settings
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from .panel import LibraryPanel
 
 
+@needs("choose a behavior in the library first; basic behaviors are the program's own")
 def has_behavior(studio: Studio) -> bool:
     """Whether an automaton is shown."""
     return studio.is_open and studio.selection.behavior is not None
@@ -67,7 +68,7 @@ def library_rows(panel: LibraryPanel) -> tuple[ActionRow, ...]:
             "behavior.learn",
             "Learn what has changed",
             "Behavior",
-            lambda studio: studio.relearning.learn(),
+            lambda studio: studio.relearning.ask(),
             "library",
             tip="Learn all behaviors that have changed since they were learned (a click on the badge stale)",
             icon="school-outline",

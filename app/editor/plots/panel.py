@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...core.wording import node_words, state_words
-from ..actions import ActionRow
+from ..actions import ActionRow, When, when_there
 from ..diagram.label_colors import state_colors
 from ..palette import BASIC
 from ..record import Point, Record
@@ -108,6 +108,11 @@ class PlotsPanel(QWidget):
         self._record.clear()
         self._offer()
         self._live.ask()
+
+    @property
+    def has_curves(self) -> bool:
+        """Whether anything is plotted."""
+        return len(self._record.points) > 1
 
     def clear(self) -> None:
         """Forget what was seen so far."""
@@ -258,7 +263,7 @@ def plot_rows(panel: PlotsPanel) -> tuple[ActionRow, ...]:
             "plots",
             tip="Show measures and shares of behaviors over time",
             icon="chart-line",
-            enabled=lambda studio: studio.snapshot is not None,
+            enabled=when_there,
         ),
         ActionRow(
             "run.clear_plot",
@@ -268,6 +273,6 @@ def plot_rows(panel: PlotsPanel) -> tuple[ActionRow, ...]:
             "plots",
             tip="Forget the curves so far; the world goes on",
             icon="eraser",
-            enabled=lambda studio: studio.snapshot is not None,
+            enabled=When(lambda _: panel.has_curves, "let the world go on first: nothing is plotted yet"),
         ),
     )

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTr
 
 from ...core.check.fixes import Fix
 from ...core.errors import UnderstudyError
-from ..actions import ActionRow
+from ..actions import ActionRow, needs
 from ..context_menus import menu_place
 from ..letters import plain
 from ..selection import BehaviorKey
@@ -244,9 +244,11 @@ class ProblemList(QTreeView):
 def problem_rows(panel: ProblemsPanel) -> tuple[ActionRow, ...]:
     """The actions that concern problems."""
 
+    @needs("there are no problems")
     def has_problems(_studio: Studio) -> bool:
         return panel.model.rowCount() > 0
 
+    @needs("choose a problem in the panel Problems that can be mended by itself")
     def can_mend(_studio: Studio) -> bool:
         return panel.current is not None and panel.current.mendable
 

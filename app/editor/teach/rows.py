@@ -5,16 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...engine.commands import Others
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, When, needs, when_open
 
 if TYPE_CHECKING:
     from ..studio import Studio
 
 
+@needs("teach several nodes: select them, and choose Teach")
 def _several(studio: Studio) -> bool:
     return studio.teaching.is_teaching and len(studio.teaching.nodes) > 1
 
 
+@needs("nobody asks: switch on Ask me, and test what was taught")
 def _is_asked(studio: Studio) -> bool:
     return studio.teaching.asking.asked is not None
 
@@ -36,7 +38,7 @@ def teach_panel_rows() -> tuple[ActionRow, ...]:
             "Backspace",
             "Teach the node that it should have stayed in the state that it left by itself last",
             "undo-variant",
-            lambda studio: studio.teaching.can_mend,
+            When(lambda studio: studio.teaching.can_mend, "test what was taught first"),
         ),
         ActionRow(
             "teach.next",

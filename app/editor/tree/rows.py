@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from ..actions import ActionRow
+from ..actions import ActionRow, When, needs
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -26,15 +25,19 @@ TOOLS = (
 def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
     """Looking at the tree."""
 
+    @needs("choose a state that has learned a decision tree, and show the panel Decision tree")
     def has_tree(studio: Studio) -> bool:
         return shows(studio) and panel.subject is not None and panel.subject.tree is not None
 
+    @needs("choose a behavior in the library, and show the panel Decision tree")
     def shows(_studio: Studio) -> bool:
         return panel.subject is not None and panel.isVisible()
 
+    @needs("select a node of the decision tree first")
     def has_node(studio: Studio) -> bool:
         return has_tree(studio) and bool(panel.scene.chosen)
 
+    @needs("select a node of the decision tree at which something is pruned")
     def has_prunes(studio: Studio) -> bool:
         subject = panel.subject
         return has_node(studio) and subject is not None and bool(subject.prunes_at(panel.scene.chosen))
@@ -84,9 +87,7 @@ def tree_rows(panel: TreePanel) -> tuple[ActionRow, ...]:
     )
 
 
-def _tool_row(
-    panel: TreePanel, shows: Callable[[Studio], bool], name: str, text: str, tip: str, page: str
-) -> ActionRow:
+def _tool_row(panel: TreePanel, shows: When, name: str, text: str, tip: str, page: str) -> ActionRow:
     return ActionRow(
         f"tree.{name}",
         text,

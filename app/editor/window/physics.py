@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from ...core.amounts import number
 from ...sim.physics import KINEMATIC, RIGID
-from ..actions import ActionRow
+from ..actions import ActionRow, When, when_there
 from ..message import Message
 
 if TYPE_CHECKING:
@@ -50,8 +50,13 @@ def physics_rows() -> tuple[ActionRow, ...]:
             "physics",
             tip="Begin the arm again in a world of bodies: contact, walls, boxes pulled by forces; or without",
             icon="cube-outline",
-            enabled=lambda studio: (
-                studio.snapshot is not None and studio.document.scenario.bodies is not None
+            enabled=When(
+                lambda studio: when_there(studio) and studio.document.scenario.bodies is not None,
+                lambda studio: (
+                    f"the scenario {studio.document.scenario.name} says nothing of bodies"
+                    if when_there(studio)
+                    else when_there.why_not(studio)
+                ),
             ),
             checked=lambda studio: studio.physics == RIGID,
         ),

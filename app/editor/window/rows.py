@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 
 from ...engine.commands import GoTo, Pause, Play, Reset, Step
 from ...engine.snapshots import Mode
-from ..actions import ActionRow, when_open
+from ..actions import ActionRow, When, needs, when_there
 from ..theme import ThemeMode
 
 if TYPE_CHECKING:
@@ -50,7 +50,10 @@ class Speed:
     def shift(self, studio: Studio, steps: int) -> None:
         """Take the next faster or slower speed."""
         place = SPEEDS.index(self.chosen) + steps
-        self.choose(studio, SPEEDS[max(0, min(place, len(SPEEDS) - 1))])
+        if 0 <= place < len(SPEEDS):
+            self.choose(studio, SPEEDS[place])
+        else:
+            studio.say(f"this is as {'fast' if steps > 0 else 'slow'} as it can be")
 
     def play_or_pause(self, studio: Studio) -> None:
         """Let time pass, or stop it; what was asked for already counts, though no answer to it has come yet."""
@@ -66,11 +69,16 @@ class Speed:
         return is_playing(studio)
 
 
-def has_arm(studio: Studio) -> bool:
-    """Whether there is a world."""
-    return studio.snapshot is not None
+def _why_no_way_back(studio: Studio) -> str:
+    snapshot = studio.snapshot
+    if snapshot is None:
+        return when_there.why_not(studio)
+    if snapshot.mode is not Mode.RUNNING:
+        return "end the lesson first"
+    return "this is as early as it is known" if snapshot.tick else "this is the beginning"
 
 
+@needs(_why_no_way_back)
 def can_go_back(studio: Studio) -> bool:
     """Whether there is an earlier tick, and nobody is taught."""
     snapshot = studio.snapshot
@@ -104,7 +112,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             keys="Space",
             tip="Let time pass, or stop it",
             icon="play",
-            enabled=has_arm,
+            enabled=when_there,
             says=lambda studio: "Pause" if is_playing(studio) else "Play",
         ),
         ActionRow(
@@ -115,7 +123,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             keys=".",
             tip="Pass a single tick",
             icon="step-forward",
-            enabled=has_arm,
+            enabled=when_there,
         ),
         ActionRow(
             "run.back",
@@ -146,6 +154,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "+",
             "Double the speed",
             "fast-forward",
+            when_there,
         ),
         ActionRow(
             "run.slower",
@@ -156,6 +165,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "-",
             "Halve the speed",
             "rewind",
+            when_there,
         ),
         ActionRow(
             "run.reset",
@@ -166,7 +176,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "Ctrl+R",
             "Begin the world again with the same seed; a lesson or test goes on in it",
             "restart",
-            has_arm,
+            when_there,
         ),
         ActionRow(
             "run.next_seed",
@@ -177,7 +187,7 @@ def time_rows(speed: Speed) -> tuple[ActionRow, ...]:
             "Ctrl+Shift+R",
             "Begin another world",
             "dice-5-outline",
-            has_arm,
+            when_there,
         ),
     )
 
@@ -212,7 +222,7 @@ def edit_rows() -> tuple[ActionRow, ...]:
             keys="Ctrl+Z",
             tip="Take back the last step, picks included",
             icon="undo",
-            enabled=lambda studio: studio.document.history.can_undo,
+            enabled=When(lambda studio: studio.document.history.can_undo, "nothing has been done yet"),
             says=undo_words,
         ),
         ActionRow(
@@ -223,7 +233,7 @@ def edit_rows() -> tuple[ActionRow, ...]:
             keys="Ctrl+Shift+Z",
             tip="Do again what was undone last",
             icon="redo",
-            enabled=lambda studio: studio.can_redo,
+            enabled=When(lambda studio: studio.can_redo, "nothing was undone last"),
             says=redo_words,
         ),
     )
@@ -258,7 +268,7 @@ def view_rows() -> tuple[ActionRow, ...]:
             "copy",
             tip="Put scenario, arm, seed and tick of what is shown into the clipboard",
             icon="content-copy",
-            enabled=when_open,
+            enabled=when_there,
         ),
     )
 
@@ -284,7 +294,7 @@ def teach_rows() -> tuple[ActionRow, ...]:
             keys="T",
             tip="Teach the behavior that is shown to the nodes that are selected",
             icon="school-outline",
-            enabled=has_arm,
+            enabled=when_there,
             checked=lambda studio: studio.mode is Mode.TEACHING,
         ),
         ActionRow(
@@ -295,7 +305,7 @@ def teach_rows() -> tuple[ActionRow, ...]:
             keys="Shift+T",
             tip="Learn what was taught, and let all nodes of the type run it",
             icon="play-outline",
-            enabled=has_arm,
+            enabled=when_there,
             checked=lambda studio: studio.mode in (Mode.TESTING, Mode.LEARNING),
         ),
         ActionRow(
@@ -306,6 +316,9 @@ def teach_rows() -> tuple[ActionRow, ...]:
             keys="Esc",
             tip="Let the arm run what it runs; what was taught stays",
             icon="close",
-            enabled=lambda studio: studio.teaching.is_teaching or studio.teaching.choosing.is_busy,
+            enabled=When(
+                lambda studio: studio.teaching.is_teaching or studio.teaching.choosing.is_busy,
+                "nobody is taught",
+            ),
         ),
     )

@@ -4,6 +4,7 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QPoint, QRectF, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -11,7 +12,7 @@ from app.core.automaton import Basic, Nested
 from app.core.check import check
 from app.core.edits import add_automaton, add_state, duplicate_automaton
 from app.core.features import Ground
-from app.editor.graph.editing import ELSEWHERE, LEARNED_COPIED
+from app.editor.graph.editing import ELSEWHERE, LEARNED_COPIED, NOTHING_COPIED
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -246,3 +247,29 @@ def test_the_notice_goes_once_the_copies_are_taken_back(
     assert window.messages.isVisible()
     studio.undo()
     lacking.qtbot.waitUntil(lambda: not window.messages.isVisible())
+
+
+def test_pasting_is_offered_while_copied_states_are_in_the_clipboard_and_else_says_why_not(
+    author: Author, studio: Studio
+) -> None:
+    QGuiApplication.clipboard().setText("words")
+    author.show(AUTHORED)
+    paste = studio.actions["graph.paste"]
+    assert not paste.isEnabled()
+    assert f"Not now: {NOTHING_COPIED}" in paste.toolTip()
+    author.click(author.named("Wander"))
+    author.key(Qt.Key.Key_C, CTRL)
+    assert paste.isEnabled()
+    assert "Not now" not in paste.toolTip()
+    QGuiApplication.clipboard().setText("words")
+    assert not paste.isEnabled()
+
+
+def test_start_is_not_offered_for_copying_and_its_key_says_why(author: Author, studio: Studio) -> None:
+    said: list[str] = []
+    studio.said.connect(lambda message: said.append(message.text))
+    author.show(AUTHORED)
+    author.click(("start",))
+    assert not studio.actions["graph.copy"].isEnabled()
+    author.key(Qt.Key.Key_C, CTRL)
+    assert any("Start is in every automaton" in text for text in said)

@@ -1,8 +1,10 @@
 """Whatever is in the tables of actions: its words, its menu, its keys."""
 
 from PySide6.QtWidgets import QMenu, QToolButton
+from pytestqt.qtbot import QtBot
 
-from app.editor.actions import MENUS
+from app.editor.actions import MENUS, always
+from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
 from tests.gui.conftest import said
 
@@ -14,6 +16,25 @@ def test_every_action_has_a_text_and_a_tip_and_is_in_a_menu_that_exists(window: 
         assert row.menu in ("", *MENUS), row.id
         assert row.icon or row.checked, f"{row.id} has no icon, and no mark either"
         assert not row.icon or not window.studio.actions[row.id].icon().pixmap(16).isNull(), row.id
+
+
+def test_what_is_not_possible_says_why_in_its_tip(window: MainWindow) -> None:
+    actions = window.studio.actions
+    possible = [name for name in actions.rows if actions[name].isEnabled()]
+    assert 0 < len(possible) < len(actions.rows)
+    for name, row in actions.rows.items():
+        if row.enabled is not always:
+            assert row.enabled.why_not(window.studio) or name in possible, f"{name} would not say why"
+        said_why = "Not now: " in actions[name].toolTip()
+        assert said_why is (name not in possible), f"{name}: {actions[name].toolTip()}"
+
+
+def test_without_a_project_what_needs_one_says_so(empty_studio: Studio, qtbot: QtBot) -> None:
+    window = MainWindow(empty_studio)
+    qtbot.addWidget(window)
+    for name in ("file.save_as", "run.play", "run.faster", "view.copy_tick", "file.reload", "behavior.new"):
+        assert not empty_studio.actions[name].isEnabled()
+        assert "open a project" in empty_studio.actions[name].toolTip(), name
 
 
 def test_every_action_is_in_a_menu_or_on_a_button(window: MainWindow) -> None:

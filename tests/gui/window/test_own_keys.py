@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QCheckBox, QPushButton, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.editor.actions import ActionRow
+from app.editor.actions import ActionRow, When
 from app.editor.agents.panel import AgentsPanel
 from app.editor.library.panel import LibraryPanel
 from app.editor.soon import catch_up
@@ -137,7 +137,8 @@ def test_a_key_finds_what_has_become_possible_in_the_same_moment(
         dock.activateWindow()  # as a window manager does
         qtbot.waitUntil(dock.isActiveWindow)
     studio, possible, done = window.studio, list[str](), list[str]()
-    row = ActionRow("f9", "F9", "", lambda _: done.append("it"), keys="F9", enabled=lambda _: bool(possible))
+    when = When(lambda _: bool(possible), "wait")
+    row = ActionRow("f9", "F9", "", lambda _: done.append("it"), keys="F9", enabled=when)
     studio.actions.add([row])
     window.addAction(studio.actions["f9"])
     QTest.keyClick(agents(window), Qt.Key.Key_F9)  # Qt's own: that of the tests does first what was put off
@@ -150,7 +151,12 @@ def test_a_key_finds_what_has_become_possible_in_the_same_moment(
 
 def test_what_was_put_off_is_not_done_any_more_once_all_has_ended(empty_studio: Studio) -> None:
     seen: list[str] = []
-    row = ActionRow("f9", "F9", "", lambda _: None, enabled=lambda _: not seen.append("looked"))  # type: ignore[func-returns-value]
+
+    def look(_studio: Studio) -> bool:
+        seen.append("looked")
+        return True
+
+    row = ActionRow("f9", "F9", "", lambda _: None, enabled=When(look, ""))
     empty_studio.actions.add([row])
     seen.clear()
     empty_studio.touch()
