@@ -59,6 +59,7 @@ class MessageBar(QFrame):
         self._close = QToolButton()
         self._close.setProperty("flat", "true")
         self._close.setToolTip("Dismiss")
+        self._close.setAccessibleName("Dismiss the message")
         self._close.clicked.connect(self.dismiss)
         self._layout = QHBoxLayout(self)
         self._layout.setContentsMargins(12, 6, 6, 6)
@@ -74,17 +75,25 @@ class MessageBar(QFrame):
         self.hide()
 
     def say(self, message: Message) -> None:
-        """Show a message, after those that are waiting; a warning is shown before what is only good to know."""
+        """Show a message, after those that are waiting; a warning is shown before what is only good to know, or can wait."""
         if message == self.current or message in self._waiting:
             return
-        current, urgent = self.current, message.kind is not Kind.INFO
-        if current is not None and urgent and not self._timer.isActive() and current.kind is Kind.INFO:
-            self._waiting.extendleft((current, message))  # what it asks is asked again after that
+        if self.current is not None and self._gives_way(self.current, message):
+            self._waiting.extendleft((self.current, message))  # what it asks is asked again after that
             self._next()
-            return
-        self._waiting.append(message)
-        if current is None or (self._timer.isActive() and urgent):
+        elif self._timer.isActive() and message.kind is not Kind.INFO:
+            self._waiting.appendleft(message)
             self._next()
+        else:
+            self._waiting.append(message)
+            if self.current is None:
+                self._next()
+
+    def _gives_way(self, current: Message, message: Message) -> bool:
+        """Whether what waits for an answer does so behind a message: one that is more urgent, or that goes by itself."""
+        if self._timer.isActive() or message.kind is Kind.INFO or current.kind is Kind.ERROR:
+            return False
+        return current.kind is Kind.INFO or not message.answers
 
     def dismiss(self) -> None:
         """Take the message away, and show the next."""

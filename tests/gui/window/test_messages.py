@@ -65,3 +65,14 @@ def test_a_warning_comes_before_a_question_that_can_wait(window: MainWindow) -> 
     assert messages.words.text() == "A warning"
     messages.dismiss()
     assert messages.words.text() == "A question"
+
+
+def test_what_is_refused_is_told_also_while_a_warning_waits_for_an_answer(window: MainWindow) -> None:
+    studio, messages = window.studio, window.messages
+    studio.warn("ended without saving", (("Recover", lambda: None),))
+    studio.warn("the disk is full")
+    assert messages.words.text() == "The disk is full"
+    studio.warn("it is still full")
+    assert messages.words.text() == "It is still full"
+    messages.dismiss()
+    assert messages.words.text() == "Ended without saving"
