@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..actions import MENUS
 from ..forms.buttons import text_button
+from ..forms.parts import caption
 from ..searching import has_words, words_in
 
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ class KeysPage(QWidget):
 
     Attributes:
         table: A row an action.
+        whose: Says which action's keys are changed.
         edit: Takes the keys that are pressed.
         conflict: Who has these keys already.
     """
@@ -67,6 +69,7 @@ class KeysPage(QWidget):
         self.filter.setClearButtonEnabled(True)
         self.filter.textChanged.connect(self._filter)
         self.table = self._table()
+        self.whose = caption("")
         self.edit = KeysEdit()
         self.edit.setMaximumSequenceLength(1)
         self.edit.setAccessibleName("Shortcut")
@@ -115,6 +118,7 @@ class KeysPage(QWidget):
         layout.setSpacing(8)
         layout.addWidget(self.filter)
         layout.addWidget(self.table, 1)
+        layout.addWidget(self.whose)
         layout.addLayout(row)
         layout.addWidget(self.conflict)
 
@@ -150,23 +154,35 @@ class KeysPage(QWidget):
 
     @property
     def action(self) -> str:
-        """The action that is selected; empty if none is."""
+        """The action that is selected and in sight; empty if none is."""
         at = self.table.currentRow()
-        return self._ids[at] if 0 <= at < len(self._ids) else ""
+        is_seen = 0 <= at < len(self._ids) and not self.table.isRowHidden(at)
+        return self._ids[at] if is_seen else ""
 
     def _filter(self, text: str) -> None:
+        """Show the actions that have these words; nobody changes the keys of one that is out of sight."""
         wanted = words_in(text)
         for at in range(self.table.rowCount()):
             cells = (self.table.item(at, column) for column in (NAME, KEYS, MENU))
             texts = [cell.text() for cell in cells if cell is not None]
             self.table.setRowHidden(at, not has_words(wanted, *texts))
+        if not self.action:
+            shown = (at for at in range(self.table.rowCount()) if not self.table.isRowHidden(at))
+            self.table.setCurrentCell(next(shown, -1), NAME)
+        self._selected()
 
     def _selected(self) -> None:
-        action = self.action
+        action, settings = self.action, self._studio.settings
+        for part in (self.edit, self.none):
+            part.setEnabled(bool(action))
         if action:
+            self.whose.setText(f"Keys of {self._studio.actions.rows[action].text.rstrip('…')}")
             self.edit.setKeySequence(QKeySequence(self._studio.actions.keys_of(action)))
-            self.reset.setEnabled(action in self._studio.settings.keys)
-        self.reset_all.setEnabled(bool(self._studio.settings.keys))
+        else:
+            self.whose.setText("No action has these words in its name, keys or menu.")
+            self.edit.clear()
+        self.reset.setEnabled(action in settings.keys)
+        self.reset_all.setEnabled(bool(settings.keys))
         self.conflict.clear()
 
     def _setting_changed(self, name: str) -> None:

@@ -134,6 +134,25 @@ def test_the_table_lists_every_action_and_can_be_filtered(
     ]
 
 
+def test_keys_go_to_the_action_that_the_filter_has_left_in_sight(
+    preferences: Preferences, qtbot: QtBot, studio: Studio
+) -> None:
+    preferences.show_setting("keys")
+    page, before = preferences.keys, studio.actions.keys_of("file.close")
+    page.select("file.close")
+    qtbot.keyClicks(page.filter, "Save as")
+    assert page.whose.text() == "Keys of Save as"
+    assert page.edit.keySequence() == QKeySequence(studio.actions.keys_of("file.save_as"))
+    qtbot.mouseClick(page.none, Qt.MouseButton.LeftButton)
+    assert studio.actions.keys_of("file.save_as") == ""
+    assert studio.actions.keys_of("file.close") == before  # it lost them, out of sight
+    qtbot.keyClicks(page.filter, " nowhere")
+    assert not page.edit.isEnabled()
+    assert "No action has these words" in page.whose.text()
+    page.filter.clear()
+    assert page.edit.isEnabled()
+
+
 def test_preferences_are_opened_once(preferences: Preferences, window: MainWindow, studio: Studio) -> None:
     assert open_preferences(studio, window, "keys") is preferences
     assert preferences.pages.currentWidget() is preferences.keys
