@@ -2,15 +2,20 @@
 
 import qtawesome
 from PySide6.QtCore import QRect, QSize
-from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPalette, QPixmap
 
-from .theme import Theme, mixed
+from .theme import Theme, off_words
 
 
 def icon(name: str, theme: Theme, color: str = "text") -> QIcon:
     """The icon *name* of the family, such as ``play``, in a color of the palette by its name."""
-    colors = theme.palette
-    return QIcon(_Kept(name, theme.color(color), mixed(colors.dim, colors.panel, 0.45)))
+    return QIcon(_Kept(name, theme.color(color), off_words(theme.palette)))
+
+
+def icon_in(name: str, palette: QPalette) -> QIcon:
+    """The same in the colors that words have in a palette of Qt's."""
+    role = QPalette.ColorRole.WindowText
+    return QIcon(_Kept(name, palette.color(role), palette.color(QPalette.ColorGroup.Disabled, role)))
 
 
 class _Kept(QIconEngine):

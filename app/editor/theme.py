@@ -1,6 +1,7 @@
 """How the window looks: Fusion with our palette on every platform, light or dark, and a few lines of style."""
 
 from enum import StrEnum
+from functools import cache
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPalette
@@ -99,8 +100,9 @@ class Theme(QObject):
         self.changed.emit()
 
 
+@cache
 def text_font(pixels: int = TEXT, *, bold: bool = False) -> QFont:
-    """The font of the window."""
+    """The font of the window; nobody may change what comes."""
     font = QFont("sans-serif")
     font.setPixelSize(pixels)
     font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
@@ -110,7 +112,7 @@ def text_font(pixels: int = TEXT, *, bold: bool = False) -> QFont:
 def qt_palette(colors: Palette) -> QPalette:
     """Our colors in Qt's roles."""
     palette = QPalette()
-    role = QPalette.ColorRole
+    role, off = QPalette.ColorRole, off_words(colors)
     for which, color in {
         role.Window: colors.panel,
         role.WindowText: colors.text,
@@ -129,14 +131,14 @@ def qt_palette(colors: Palette) -> QPalette:
         role.Dark: colors.hairline,
         role.Light: colors.raised,
         role.Shadow: colors.background,
-        HOVERED_ROLE: mixed(colors.accent, colors.raised, 0.86),
+        HOVERED_ROLE: mixed(colors.accent, colors.raised, 0.9),
         CHOSEN_ROLE: chosen_ground(colors),
         HANDLE_ROLE: mixed(colors.dim, colors.panel, 0.6),
-        OFF_ROLE: mixed(colors.dim, colors.panel, 0.45),
+        OFF_ROLE: off,
     }.items():
         palette.setColor(which, QColor(color))
     for which in (role.WindowText, role.Text, role.ButtonText):
-        palette.setColor(QPalette.ColorGroup.Disabled, which, mixed(colors.dim, colors.panel, 0.35))
+        palette.setColor(QPalette.ColorGroup.Disabled, which, off)
     for which in (role.Highlight, role.Accent):
         palette.setColor(QPalette.ColorGroup.Disabled, which, mixed(colors.dim, colors.panel, 0.6))
     return palette
@@ -152,9 +154,14 @@ def mixed(color: str, ground: str, share: float) -> QColor:
     )
 
 
+def off_words(colors: Palette) -> QColor:
+    """Words for what is not possible now: fainter than any others, and still to be read."""
+    return mixed(colors.dim, colors.panel, 0.28)
+
+
 def chosen_ground(colors: Palette) -> QColor:
     """What lies under a row that is chosen: seen at a glance, dim text on it can still be read."""
-    return mixed(colors.accent, colors.panel, 0.86)
+    return mixed(colors.accent, colors.panel, 0.88)
 
 
 def hovered_ground(colors: Palette) -> QColor:

@@ -3,7 +3,19 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QToolButton, QWidget
+
+from ..icons import icon_in
+
+#: The icons of the buttons in Qt's own dialog, by what Qt calls them.
+PICTURES = {
+    "backButton": "arrow-left",
+    "forwardButton": "arrow-right",
+    "toParentButton": "arrow-up",
+    "newFolderButton": "folder-plus-outline",
+    "listModeButton": "view-grid-outline",
+    "detailModeButton": "format-list-bulleted",
+}
 
 
 def choose_folder(window: QWidget, title: str, beside: Path, then: Callable[[Path], object]) -> QFileDialog:
@@ -12,9 +24,7 @@ def choose_folder(window: QWidget, title: str, beside: Path, then: Callable[[Pat
     dialog.setFileMode(QFileDialog.FileMode.Directory)
     dialog.setOption(QFileDialog.Option.ShowDirsOnly, True)
     dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))
-    dialog.finished.connect(dialog.deleteLater)
-    dialog.open()
-    return dialog
+    return _asked(dialog)
 
 
 def choose_existing(
@@ -29,9 +39,7 @@ def choose_existing(
     dialog = QFileDialog(window, title, str(beside), kinds)
     dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
     dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))
-    dialog.finished.connect(dialog.deleteLater)
-    dialog.open()
-    return dialog
+    return _asked(dialog)
 
 
 def choose_file(
@@ -50,6 +58,15 @@ def choose_file(
     dialog.selectFile(proposed.name)
     dialog.filterSelected.connect(lambda kind: dialog.setDefaultSuffix(_ending(kind)))
     dialog.fileSelected.connect(lambda chosen: then(Path(chosen)))
+    return _asked(dialog)
+
+
+def _asked(dialog: QFileDialog) -> QFileDialog:
+    """Show a dialog that goes for good once it is answered; Qt's own has pictures that hardly show on a dark ground."""
+    for name, picture in PICTURES.items():
+        button = dialog.findChild(QToolButton, name)
+        if isinstance(button, QToolButton):  # the system's dialog has none
+            button.setIcon(icon_in(picture, dialog.palette()))
     dialog.finished.connect(dialog.deleteLater)
     dialog.open()
     return dialog
