@@ -5,7 +5,7 @@ from typing import TypeVar
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox
 
 #: Pixels before the number: those of a text field, which a style sheet cannot give to a spin box.
-ROOM = 5
+ROOM = 7
 
 Box = TypeVar("Box", bound=QAbstractSpinBox)
 

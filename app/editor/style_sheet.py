@@ -24,13 +24,14 @@ PICTURES = {
         "QTreeView::branch:has-children:open",
     ),
     "chevron-up": ("QAbstractSpinBox::up-arrow",),
-    "chevron-right": ("QTreeView::branch:has-children:closed",),
+    "chevron-right": ("QTreeView::branch:has-children:closed", "QMenu::right-arrow"),
     "check": (
         "QCheckBox::indicator:checked",
         "QListView::indicator:checked",
         "QTableView::indicator:checked",
         "QTreeView::indicator:checked",
     ),
+    "tick": ("QMenu::indicator:checked",),
 }
 Role = QPalette.ColorRole
 #: Our colors by the roles that Qt's own painting has for them, and by some that it has no use for.
@@ -92,14 +93,15 @@ QToolBar::separator {{ background: {HAIRLINE}; width: 1px; margin: 5px 3px; }}
 QToolBar QToolButton {{ padding: 4px 7px; }}
 QToolBar #qt_toolbar_ext_button {{ padding: 0; border: none; background: transparent; }}
 QToolTip {{ background: {RAISED}; color: {WORDS}; border: 1px solid {HAIRLINE}; padding: 4px; }}
-QSplitter::handle:horizontal {{ background: {HAIRLINE}; width: 5px; margin: 0 2px; }}
-QSplitter::handle:vertical {{ background: {HAIRLINE}; height: 5px; margin: 2px 0; }}
+QSplitter::handle {{ background: {HAIRLINE}; width: 1px; height: 1px; }}
+QSplitter::handle:hover {{ background: {ACCENT}; }}
 QDockWidget {{ titlebar-close-icon: none; titlebar-normal-icon: none; font-weight: 600; }}
 """
 #: Buttons and what is typed or chosen in.
 _FIELDS = f"""
 QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit {{ border: 1px solid {HAIRLINE};
     border-radius: 6px; padding: 3px 8px; background: {RAISED}; }}
+QLineEdit, QComboBox:editable {{ padding: 3px 6px; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
 QListWidget QLineEdit {{ border: none; border-radius: 0; padding: 0 3px; }}
 QPushButton:hover, QToolButton:hover, QComboBox:hover {{ background: {HOVERED}; }}
@@ -109,12 +111,13 @@ QPushButton:default {{ background: {ACCENT}; border-color: {ACCENT}; color: {ON_
 QPushButton:default:hover, QPushButton:default:focus {{ border-color: {WORDS}; }}
 QPushButton:default:disabled {{ border-color: {HAIRLINE}; color: {OFF}; }}
 QPushButton:checked, QToolButton:checked {{ background: {CHOSEN}; border-color: {ACCENT}; }}
-QPushButton:disabled, QToolButton:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled {{ background: {PANEL}; }}
+QPushButton:disabled, QToolButton:disabled, QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled,
+QLineEdit:disabled {{ background: {PANEL}; }}
 QToolButton[flat="true"] {{ border: none; background: transparent; padding: 3px; }}
 QToolButton[flat="true"]:hover {{ background: {HOVERED}; }}
 QToolButton[flat="true"]:focus {{ border: 1px solid {ACCENT}; padding: 2px; }}
-QComboBox QAbstractItemView, #completions {{ background: {RAISED}; border: 1px solid {HAIRLINE}; }}
-QComboBox {{ selection-background-color: {CHOSEN}; selection-color: {WORDS}; }}
+QComboBox QAbstractItemView, #completions, #add-behavior {{ background: {RAISED}; border: 1px solid {HAIRLINE}; }}
+QComboBox {{ combobox-popup: 0; selection-background-color: {CHOSEN}; selection-color: {WORDS}; }}
 QComboBoxPrivateContainer {{ border: none; }}
 QInputDialog {{ min-width: 340px; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; button-layout: {ACCEPT_LAST}; }}
@@ -146,6 +149,7 @@ QTreeView::item:selected, QTableView::item:selected, QListView::item:selected {{
     color: {WORDS}; }}
 QHeaderView::section {{ background: {PANEL}; color: {DIM}; border: none;
     border-bottom: 1px solid {HAIRLINE}; padding: 4px 6px; }}
+QTableView QHeaderView::section {{ padding: 4px 3px; }}
 QTabBar::tab {{ background: transparent; color: {DIM}; padding: 6px 10px; border: none;
     border-bottom: 2px solid transparent; }}
 QTabBar::tab:selected {{ color: {WORDS}; border-bottom: 2px solid {ACCENT}; }}
@@ -161,8 +165,11 @@ QMenu::item:selected {{ background: {CHOSEN}; color: {WORDS}; }}
 QMenu::item:disabled {{ color: {OFF}; }}
 QMenu::separator {{ background: {HAIRLINE}; height: 1px; margin: 4px 6px; }}
 QMenu::icon {{ padding-left: 8px; }}
+QMenu::icon:checked {{ background: {CHOSEN}; border: 1px solid {ACCENT}; border-radius: 4px; }}
+QMenu::indicator {{ padding-left: 6px; }}
+QMenu::indicator, QMenu::right-arrow {{ width: 12px; height: 12px; }}
 """
-#: Boxes that are checked, and sliders.
+#: Boxes that are checked, bars of progress, and sliders.
 _SWITCHES = f"""
 QCheckBox::indicator, QListView::indicator, QTableView::indicator, QTreeView::indicator {{
     width: 12px; height: 12px; border: 1px solid {DIM}; border-radius: 4px; background: {RAISED}; }}
@@ -171,6 +178,8 @@ QCheckBox::indicator:checked, QListView::indicator:checked, QTableView::indicato
 QCheckBox::indicator:disabled {{ border-color: {HAIRLINE}; background: {PANEL}; }}
 QCheckBox::indicator:checked:disabled {{ background: {HANDLE}; }}
 QCheckBox::indicator:focus {{ border-color: {ACCENT}; }}
+QProgressBar {{ border: none; border-radius: 3px; background: {HAIRLINE}; }}
+QProgressBar::chunk {{ border-radius: 3px; background: {ACCENT}; }}
 QSlider::groove:horizontal {{ height: 4px; border-radius: 2px; background: {HAIRLINE}; }}
 QSlider::sub-page:horizontal {{ border-radius: 2px; background: {ACCENT}; }}
 QSlider::handle:horizontal {{ width: 12px; margin: -5px 0; border-radius: 7px; background: {ACCENT};

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
@@ -32,6 +32,31 @@ def test_the_row_that_is_chosen_in_an_open_list_can_be_read(
     row = view.visualRect(box.model().index(1, 0))
     seen = view.viewport().grab(row.adjusted(4, 4, -4, -4)).toImage()  # without the frame
     assert contrast_in(seen) >= 4.5
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_a_list_opens_below_its_box_with_one_line_around_it(
+    empty_studio: Studio, qtbot: QtBot, mode: ThemeMode
+) -> None:
+    theme = empty_studio.theme
+    theme.use(mode)
+    box = QComboBox()
+    qtbot.addWidget(box)
+    box.addItems(["alpha", "beta", "gamma"])
+    with qtbot.waitExposed(box):
+        box.show()
+    QTest.keyClick(box, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    view = box.view()
+    qtbot.waitUntil(view.isVisible, timeout=PATIENCE)
+    around = view.window()
+    assert around.y() >= box.mapToGlobal(box.rect().bottomLeft()).y()
+    seen = around.grab().toImage()
+    row = view.visualRect(box.model().index(2, 0)).translated(view.viewport().mapTo(around, QPoint()))
+    side = [seen.pixelColor(x, row.center().y()).name() for x in range(3)]
+    below = [seen.pixelColor(seen.width() - 4, seen.height() - 1 - y).name() for y in range(3)]
+    line, ground = theme.palette.hairline, theme.palette.raised
+    assert side == below == [line, ground, ground]
     QTest.keyClick(view, Qt.Key.Key_Escape)
 
 

@@ -79,6 +79,7 @@ class Form:
         """Add an explanation below the controls so far."""
         label.setProperty("role", "caption")
         label.setWordWrap(True)
+        label.setAlignment(Qt.AlignmentFlag.AlignTop)
         # Its lines are as long as the controls.
         label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._rows.addRow("", label)

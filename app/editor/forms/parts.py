@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLayout, QListWidget, QPlainTextEdit, QWidget
 
 from ...core.errors import UnderstudyError
@@ -28,6 +28,7 @@ class _Frame(QObject):
         colors, kind = self._theme.palette, self._kind
         self._field.setStyleSheet(
             f"{kind} {{ background: {colors.raised}; border: 1px solid {colors.hairline}; border-radius: 6px; }}"
+            "QPlainTextEdit { padding: 1px 4px; }"  # its words begin where those of other fields do
             f"{kind}:focus {{ border-color: {colors.accent}; }}"
         )
 
@@ -72,6 +73,7 @@ def caption(text: str) -> QLabel:
     label = QLabel(text)
     label.setProperty("role", "caption")
     label.setWordWrap(True)
+    label.setAlignment(Qt.AlignmentFlag.AlignTop)  # near what it explains, whatever room there is below
     return label
 
 

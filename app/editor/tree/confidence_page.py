@@ -46,7 +46,7 @@ class ConfidencePage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 0, 8, 4)
         column.addLayout(row)
-        column.addWidget(self._told)
+        column.addWidget(self._told, 1)
         self.setFocusProxy(self.slider)
         self.slider.valueChanged.connect(self._changed)
         self.slider.sliderReleased.connect(lambda: self.dropped.emit(self.confidence))
