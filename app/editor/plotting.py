@@ -5,6 +5,7 @@ Importing it takes a tenth of a second or two, so panels do that when they are l
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import pyqtgraph as pg
@@ -15,9 +16,21 @@ if TYPE_CHECKING:
     from .theme import Theme
 
 
+class _Amounts(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """An axis on which thousands are told apart, as in all words of the window."""
+
+    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
+        """The words at these places."""
+        plain = super().tickStrings(values, scale, spacing)
+        return [
+            f"{value * scale:,.0f}" if abs(value * scale) >= 1_000 and spacing * scale >= 1 else words
+            for value, words in zip(values, plain, strict=True)
+        ]
+
+
 def quiet_plot(name: str) -> Any:
     """A plot over ticks; *name* is for those who cannot see it."""
-    plot = pg.PlotWidget(enableMenu=False)
+    plot = pg.PlotWidget(enableMenu=False, axisItems={side: _Amounts(side) for side in ("bottom", "left")})
     plot.hideButtons()
     plot.setMouseEnabled(x=True, y=False)
     plot.setAccessibleName(name)

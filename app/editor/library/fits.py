@@ -59,7 +59,7 @@ class Fit:
             return ""
         if self.share < 1.0 - ROUNDING:
             return f"fits {self.share:.0%} of {counted(self.learned_from, 'example')}"
-        return f"fits all {self.learned_from} examples" if self.learned_from > 1 else "fits its example"
+        return f"fits all {self.learned_from:,} examples" if self.learned_from > 1 else "fits its example"
 
     @property
     def words(self) -> str:
@@ -70,9 +70,9 @@ class Fit:
             return "not learned yet" if self.learned_from else "no examples yet"
         said = f"fits {self.share:.0%} of {counted(self.learned_from, 'example')}"
         if self.left_out:
-            said += f"; {self.left_out} cannot be learned from"
+            said += f"; {self.left_out:,} cannot be learned from"
         if self.conflicts:
-            said += f"; {self.conflicts} contradict each other: equal features, another label"
+            said += f"; {self.conflicts:,} contradict each other: equal features, another label"
         return said + ("; changed since it was learned" if self.stale else "")
 
 
