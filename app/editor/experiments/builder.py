@@ -41,6 +41,8 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 USUAL_TICKS, USUAL_RUNS = 20_000, 20
+#: What the parts of a claim are called, above their columns.
+CLAIM = ("Arm", "says", "Arm", "in")
 
 
 class ExperimentBuilder(QDialog):
@@ -128,6 +130,10 @@ class ExperimentBuilder(QDialog):
         for measure in self._studio.document.scenario.measures:
             _add_ticked(self.measures, measure, ticked=measure in shown or not shown)
         self.design = QComboBox()
+        self.design.setAccessibleName("Which values are combined")
+        self.design.setToolTip(
+            "Run every combination of the values, or vary one setting while the others stay"
+        )
         self.design.addItem("All combinations", Design.FACTORIAL)
         self.design.addItem("One thing at a time; the first value is the usual one", Design.ONE_AT_A_TIME)
         if base is not None:
@@ -145,6 +151,7 @@ class ExperimentBuilder(QDialog):
             ("First seed", self.seed),
             ("Curves of", self.measures),
         ):
+            field.setAccessibleName(label)
             form.addRow(label, field)
         return page
 
@@ -208,7 +215,7 @@ class ExperimentBuilder(QDialog):
         column.addWidget(
             caption("Each claim is tested (two-tailed Welch t-tests, Bonferroni) and gets a verdict.")
         )
-        self.claims = _table(["Arm", "says", "Arm", "in"])
+        self.claims = _table(CLAIM)
         for at, width in ((1, 152), (3, 108)):  # the names of arms are what may be long
             self.claims.horizontalHeader().setSectionResizeMode(at, QHeaderView.ResizeMode.Fixed)
             self.claims.setColumnWidth(at, width)
@@ -232,11 +239,13 @@ class ExperimentBuilder(QDialog):
         measures = list(self._studio.document.scenario.measures)
         for place, names, chosen in ((0, arms, first), (2, ["", *arms], second), (3, measures, measure)):
             box = QComboBox()
+            box.setAccessibleName(CLAIM[place])
             box.addItems(list(dict.fromkeys(names)))
             box.setCurrentText(chosen or (names[0] if names else ""))
             box.activated.connect(self._touched)
             self.claims.setCellWidget(row, place, box)
         says = QComboBox()
+        says.setAccessibleName(CLAIM[1])
         for one, words in SAYS.items():
             says.addItem(words, one)
         says.setCurrentIndex(says.findData(kind))
@@ -316,6 +325,10 @@ def _table(head: Sequence[str]) -> QTableWidget:
 def _below(table: QTableWidget, add: object) -> QHBoxLayout:
     """Buttons that add and remove rows."""
     more, less = QPushButton("Add a row"), QPushButton("Remove the row")
+    less.setToolTip("Remove the row that is selected, or else the last one")
+    less.setEnabled(table.rowCount() > 0)
+    for changed in (table.model().rowsInserted, table.model().rowsRemoved):
+        changed.connect(lambda: less.setEnabled(table.rowCount() > 0))
     more.clicked.connect(add)
     less.clicked.connect(
         lambda: table.removeRow(table.currentRow() if table.currentRow() >= 0 else table.rowCount() - 1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractItemModel, QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
@@ -17,6 +17,8 @@ WIDEST = 420
 NARROWEST = 160
 #: Between rows whose words go on below.
 APART = 8
+#: Columns are as wide as what so many rows hold.
+MEASURED = 30
 
 
 class TextTable(QAbstractTableModel):
@@ -96,7 +98,7 @@ class _Table(QTableView):
         return super().moveCursor(action, modifiers)
 
 
-def table_view(model: QAbstractTableModel, name: str, *, wrapped: bool = False) -> QTableView:
+def table_view(model: QAbstractItemModel, name: str, *, wrapped: bool = False) -> QTableView:
     """A quiet table in which rows can be selected.
 
     Args:
@@ -117,7 +119,7 @@ def table_view(model: QAbstractTableModel, name: str, *, wrapped: bool = False) 
     header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
     model.modelReset.connect(lambda: _fit(view))
     model.dataChanged.connect(lambda *_: _fit(view, grow=True))
-    model.rowsInserted.connect(lambda _, first, __: None if first else _fit(view))
+    model.rowsInserted.connect(lambda _, first, __: _fit(view, grow=first > 0) if first < MEASURED else None)
     return view
 
 
@@ -127,7 +129,7 @@ def _fit(view: QTableView, *, grow: bool = False) -> None:
     Args:
         grow: Only make columns wider that have become too narrow.
     """
-    view.horizontalHeader().setResizeContentsPrecision(30)
+    view.horizontalHeader().setResizeContentsPrecision(MEASURED)
     before = [view.columnWidth(column) for column in range(view.model().columnCount())]
     view.resizeColumnsToContents()
     for column, width in enumerate(before):
