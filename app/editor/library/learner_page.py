@@ -110,6 +110,7 @@ class LearnerPage(QWidget):
 
     def _lay_out(self) -> None:
         strength = QHBoxLayout()
+        strength.setSpacing(8)
         for part in (self.confidence, self.percent):
             strength.addWidget(part)
         form = self._form
@@ -147,7 +148,7 @@ class LearnerPage(QWidget):
         self.confidence.blockSignals(True)
         self.confidence.setValue(percent)
         self.confidence.blockSignals(False)
-        self.percent.setText(f"{percent} %" if on else "off")
+        self.percent.setText(f"{percent}%" if on else "off")
         if self.isVisible():
             self._soon.start()
 
@@ -192,7 +193,7 @@ class LearnerPage(QWidget):
             field.setRange(option.low, option.high)
             field.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         field.setAccessibleName(option.title)
-        field.setToolTip(f"{option.title}: {option.low:g} to {option.high:g}; {option.default:g} at first")
+        field.setToolTip(f"{option.title}: {exact(option.low)} to {exact(option.high)}; {exact(option.default)} at first")
         field.valueChanged.connect(lambda value: self._option_set(option.name, float(value)))
         field.editingFinished.connect(self._editing.end_gesture)
         return field

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from ..studio import Studio
 
 MOST_NAMED = 3
+#: Pixels of the field for the name of the demonstration, at least and at most.
+NAME = (120, 180)
+FILED = "the examples of a lesson are kept together under this name; the panel Examples can show them alone"
 
 
 class IdlePage(QWidget):
@@ -34,11 +37,9 @@ class IdlePage(QWidget):
         studio.teaching.choosing.changed.connect(self._make_room)  # before the row takes it
         self.targets = TargetRow(studio)
         self.filed = QLineEdit(placeholderText="demonstration")
-        self.filed.setToolTip(
-            "The examples of a lesson are kept together under this name; the panel Examples can show them alone"
-        )
         self.filed.setAccessibleName("Name of the demonstration")
-        self.filed.setFixedWidth(120)
+        self.filed.setMinimumWidth(NAME[0])
+        self.filed.setMaximumWidth(NAME[1])
         self.filed.editingFinished.connect(self._file)
         self.keep = QCheckBox("keep")
         self.keep.setAccessibleName("Keep the lesson as a demonstration")
@@ -59,7 +60,7 @@ class IdlePage(QWidget):
         second.addWidget(self.targets)
         second.addStretch(1)
         for widget in self._filing:
-            second.addWidget(widget)
+            second.addWidget(widget, int(widget is self.filed))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setSpacing(8)
@@ -77,16 +78,20 @@ class IdlePage(QWidget):
         self.teach.setText(f"Teach   {keys}" if keys else "Teach")
         self.teach.setToolTip(self._studio.actions["teach.teach"].toolTip())
         self.teach.setEnabled(self._studio.snapshot is not None and teaching.key is not None)
-        self.filed.setEnabled(teaching.key is not None)
+        self._make_room()
         self.filed.setPlaceholderText(teaching.filed_under)
+        self.filed.setToolTip(
+            f"{teaching.filed_under}: {FILED}" if teaching.filed_under else FILED.capitalize()
+        )
         self._show_keeping()
         if not self.filed.hasFocus():
             self.filed.setText(teaching.demonstration)
 
     def _make_room(self) -> None:
-        """Hide what is not needed while a target is chosen: the window would become wider."""
+        """Hide what is not needed: while a target is chosen the window would become wider, and nothing else needs a name."""
+        teaching = self._studio.teaching
         for widget in self._filing:
-            widget.setVisible(not self._studio.teaching.choosing.is_busy)
+            widget.setVisible(teaching.key is not None and not teaching.choosing.is_busy)
 
     def _show_keeping(self) -> None:
         """Whether the next lesson would be kept, and why it could not be."""

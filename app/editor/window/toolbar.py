@@ -210,6 +210,7 @@ class Toolbar(QToolBar):
         self.slider.setRange(0, len(SPEEDS) - 1)
         self.slider.setPageStep(1)
         self.slider.setFixedWidth(88)
+        self.slider.setAccessibleName("Speed")
         self.slider.setToolTip("How fast time passes: 1 is 60 ticks a second (+ and -)")
         self.slider.setValue(SPEEDS.index(self._speed.chosen))
         self.slider.valueChanged.connect(lambda at: self._speed.choose(self._studio, SPEEDS[at]))
@@ -223,6 +224,7 @@ class Toolbar(QToolBar):
         self.seed = QLineEdit("1")
         self.seed.textChanged.connect(self._fit_seed)
         self._fit_seed("")
+        self.seed.setAccessibleName("Seed")
         self.seed.setToolTip("The seed of the world; Enter begins it again with this one")
         self.seed.returnPressed.connect(self._reset)
         self.addWidget(self.seed)
@@ -235,6 +237,7 @@ class Toolbar(QToolBar):
 
     def _add_arm(self) -> None:
         self.arm = QComboBox()
+        self.arm.setAccessibleName("Arm")
         self.arm.setToolTip(
             "The arm: which agents and controllers there are, in which world, and what they run"
         )
