@@ -165,7 +165,8 @@ def _does(button: QToolButton, action: str) -> bool:
 
 def _places(window: MainWindow) -> bytes:
     assert window.studio.snapshot is not None
-    return b"".join(column.tobytes() for column in window.studio.snapshot.columns.values())
+    columns = window.studio.snapshot.columns  # in another order once the world is compiled
+    return b"".join(columns[name].tobytes() for name in sorted(columns))
 
 
 def _seed(window: MainWindow) -> int:
