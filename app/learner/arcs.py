@@ -25,13 +25,13 @@ from .impurity import NOT_ALLOWED, TOLERANCE, Whole, best_in_each, gain_and_info
 #: Beyond this many cuts in a node, only those at quantiles are tried.
 MOST_CUTS = 2000
 #: Nodes with more cuts than this are searched with bounds.
-FEW_CUTS = 64
+FEW_CUTS = 128
 #: The widths of tables of cuts.
-WIDTHS = np.array([2, 3, 4, 6, 8, 12, 16, 24, 32, 48, FEW_CUTS])
+WIDTHS = np.array([2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, FEW_CUTS])
 #: Cuts in a run, at first and each time that runs are divided.
 RUNS = (64, 16, 4)
 #: Pairs that are looked at together; more would fall out of the processor's cache.
-AT_ONCE = 1 << 15
+AT_ONCE = 1 << 13
 
 #: For some nodes: their numbers, gains, split informations, and the blocks above the lower and the upper cut.
 Arcs = tuple[Integers, Floats, Floats, Integers, Integers]
