@@ -18,6 +18,7 @@ from ..core.machine_state import MachineState, freeze
 from ..core.naming import next_number
 from ..core.project import Project
 from ..core.storage.moments import moment_hash
+from ..core.wording import node_words
 from ..sim.engine import Control, Engine, Past
 from .acts import Act, Undone, part_of, past, past_undone, put_back
 from .commands import Teach
@@ -158,7 +159,7 @@ class Lesson:
         check_plan(self.engine.machine, self.plan)
         lost = {act.node: why for act in self._acts if not act.done and (why := self._obstacle(act))}
         self._acts = [replace(act, done=True) if act.node in lost else act for act in self._acts]
-        return [f"what was picked for {node!r} is not done: {why}" for node, why in lost.items()]
+        return [f"what was picked for {self._called(node)} is not done: {why}" for node, why in lost.items()]
 
     def _obstacle(self, act: Act) -> str:
         """Why a pick cannot be carried out; empty if it can."""
@@ -219,12 +220,12 @@ class Lesson:
         left = self._departures.last(node_id)
         if left is None:
             raise SessionError(
-                f"{node_id!r} has left no state by itself since the test began: nothing to mend"
+                f"{self._called(node_id)} has left no state by itself since the test began: nothing to mend"
             )
         automaton = automaton_of(self.engine.machine, self.plan)
         if not automaton.has_state(left.state):
             raise SessionError(
-                f"{node_id!r} left the state {left.state!r}, which is gone from {automaton.name!r}"
+                f"{self._called(node_id)} left the state {left.state!r}, which is gone from {automaton.name!r}"
             )
         self._refuse_open(actor, run, automaton.state(left.state))
         stays = [Triple(left.state, left.state, left.values)]
@@ -325,9 +326,13 @@ class Lesson:
         actor = self.engine.machine.actors[node_id]
         if actor.run is None or not is_taught_one(actor.run, self.plan):
             raise SessionError(
-                f"{node_id!r} does not run {self.plan.automaton!r} now; start teaching it again"
+                f"{self._called(node_id)} does not run {self.plan.automaton!r} now; start teaching it again"
             )
         return actor, actor.run
+
+    def _called(self, node_id: str) -> str:
+        actor = self.engine.machine.actors.get(node_id)
+        return repr(node_id) if actor is None else node_words(actor.node)
 
     def _act(self, node_id: str, recorded: Recorded, goal: str, machine: MachineState) -> Act:
         before = part_of(machine, self._pupils[node_id])

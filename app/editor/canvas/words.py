@@ -114,7 +114,7 @@ def _about_thing(scene: Scene, entity: int) -> Iterator[str]:
     look, kind = scene.place.look, scene.kind(entity)
     if kind == look.loads and look.got and look.needed:
         got, needed = (int(scene.columns[name][entity]) for name in (look.got, look.needed))
-        yield f"{got} of the {needed} agents that it needs"
+        yield f"{got} of the {counted(needed, 'agent')} that it needs"
     for name, radius in look.ranges.get(kind, {}).items():
         yield f"{name.replace('_', ' ')}: {radius:g} units"
     yield f"at {scene.x[entity]:.1f}, {scene.y[entity]:.1f}"

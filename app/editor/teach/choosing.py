@@ -130,7 +130,8 @@ class Choosing(QObject):
             self._end_asking()
             self.several.emit(slot, tuple(names))
         else:
-            self._studio.warn(_nobody_means(place.entity_called(entity), meanings))
+            who = place.called(self._teaching.node)
+            self._studio.warn(_nobody_means(place.entity_called(entity), who, meanings))
             self.ask_for(slot)
 
     def cancel(self) -> None:
@@ -146,8 +147,8 @@ class Choosing(QObject):
             self._teaching.choose_ended.emit()
 
 
-def _nobody_means(what: str, meanings: Mapping[str, int]) -> str:
+def _nobody_means(what: str, who: str, meanings: Mapping[str, int]) -> str:
     if not meanings:
         return "select the node that is taught first, so that it is known what it can mean by a click"
     there = ", ".join(meanings)
-    return f"no target of the node is {what} now; choose something else, or from the menu: {there}"
+    return f"{who} has no target that is {what} now; click something else, or choose from the menu: {there}"

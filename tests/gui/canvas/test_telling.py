@@ -10,7 +10,7 @@ from app.core.edits import rename_automaton
 from app.editor.canvas.coloring import ColorBy
 from app.editor.selection import BehaviorKey
 from app.editor.theme import ThemeMode
-from app.engine.commands import Pick, RunArm, Step, Teach, UndoPick
+from app.engine.commands import Pick, RunArm, Step, Teach, UndoPick, UseArm
 from tests.gui.canvas.pilot import LEFT, Pilot
 
 
@@ -108,6 +108,13 @@ def test_hovering_tells_who_it_is_what_it_runs_and_what_it_sees(pilot: Pilot) ->
 def test_hovering_over_a_box_tells_how_many_hold_it(pilot: Pilot) -> None:
     pilot.hover(pilot.at(50))
     assert pilot.canvas.card.lines[:2] == ("box 1", "0 of the 5 agents that it needs")
+
+
+def test_a_box_that_needs_one_agent_says_so_in_the_singular(pilot: Pilot) -> None:
+    pilot.send(UseArm("independent", {"world.pullers": 1}))
+    pilot.wait(lambda: pilot.frame.scene.columns["needed"][50] == 1)
+    pilot.hover(pilot.at(50))
+    assert pilot.canvas.card.lines[:2] == ("box 1", "0 of the 1 agent that it needs")
 
 
 # ---------------------------------------------------------------------------------------------- badge, banners

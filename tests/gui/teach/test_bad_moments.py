@@ -16,7 +16,7 @@ def test_a_click_on_what_no_target_means_says_so_and_asks_again(hand: Hand) -> N
     hand.wait(lambda: "agent-3" in hand.snapshot.watched)
     agent = hand.snapshot.place.spans["agent"].start + 8
     choosing.entity_chosen(agent)
-    assert "no target of the node is Agent 9 now" in hand.said[-1]
+    assert "Agent 3 has no target that is Agent 9 now" in hand.said[-1]
     assert "deposit" in hand.said[-1]
     assert choosing.wanted == "X"
     choosing.entity_chosen(hand.snapshot.place.spans["deposit"].start)
@@ -33,7 +33,7 @@ def test_a_click_on_a_target_that_is_gone_by_then_is_answered(hand: Hand) -> Non
     hand.settle()
     choosing = hand.studio.teaching.choosing
     choosing.entity_chosen(10_000)
-    assert "no target of the node is nothing now" in hand.said[-1] or not choosing.is_busy
+    assert "has no target that is nothing now" in hand.said[-1] or not choosing.is_busy
 
 
 def test_a_pick_for_a_node_that_another_arm_does_not_have_is_refused_in_words(hand: Hand) -> None:
@@ -78,7 +78,7 @@ def test_deleting_the_state_that_was_just_picked_is_said(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     hand.pick("RotateLeft")
     hand.act(lambda: hand.studio.document.do(remove_state, "agent", "wander", "rotate-left"))
-    assert any("what was picked for 'agent-3' is not done" in said for said in hand.said)
+    assert any("what was picked for Agent 3 is not done" in said for said in hand.said)
     assert "rotate-left" not in hand.page.buttons
     assert hand.studio.mode is Mode.TEACHING
 

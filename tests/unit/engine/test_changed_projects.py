@@ -99,7 +99,7 @@ def test_a_waiting_pick_of_a_state_that_was_removed_is_not_carried_out() -> None
     driver = teaching().pick("down").edit(remove_state, AGENT, "Shuttle", "down").advance()
     assert (driver.state(), driver.snapshot.failure) == ("up", "")
     assert driver.interruptions == [
-        "what was picked for 'agent-1' is not done: the state 'down' is gone from 'Shuttle'"
+        "what was picked for Agent 1 is not done: the state 'down' is gone from 'Shuttle'"
     ]
     assert driver.undo().taught == ["start>up", "up>up+"]
 
@@ -109,7 +109,7 @@ def test_a_waiting_pick_whose_target_gets_open_is_not_carried_out() -> None:
     driver = Driver(held).teach("agent-1", "Shuttle").pick("up").advance().pick("toward")
     driver.edit(bind_state, AGENT, "Shuttle", "toward", "target", None).advance()
     assert (driver.state(), driver.snapshot.failure) == ("up", "")
-    assert driver.interruptions[0].startswith("what was picked for 'agent-1' is not done: 'target' of state ")
+    assert driver.interruptions[0].startswith("what was picked for Agent 1 is not done: 'target' of state ")
 
 
 def test_nodes_whose_behavior_was_deleted_begin_with_what_replaces_it_in_the_arm() -> None:
@@ -325,7 +325,7 @@ def test_a_pick_of_a_state_that_the_caller_removes_meanwhile_is_given_up_by_both
     events = driver.session.events()
     assert isinstance(events[0], Picked)
     assert [event.message.partition(":")[0] for event in events if isinstance(event, Interrupted)] == [
-        "what was picked for 'agent-1' is not done",
+        "what was picked for Agent 1 is not done",
         "what was just taught could not be kept",
     ]
     driver.session._events = events  # not heard yet

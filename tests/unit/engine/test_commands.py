@@ -86,7 +86,7 @@ def test_a_snapshot_shows_the_world_the_nodes_and_the_measures() -> None:
             Pick("agent-1", Basic("Toward", {"target": Parameter("goal")})),
             "'goal', which has no target now; parameters are: none",
         ),
-        (ShouldNotHaveLeft("agent-1"), "'agent-1' has left no state by itself since the test began"),
+        (ShouldNotHaveLeft("agent-1"), "Agent 1 has left no state by itself since the test began"),
         (ShouldNotHaveLeft("agent-2"), "'agent-2' is not taught or tested now"),
         (Teach("agent", "Shuttle", ()), "choose at least one agent or controller to teach"),
         (
@@ -119,7 +119,7 @@ def test_a_snapshot_shows_the_world_the_nodes_and_the_measures() -> None:
         (UseArm("desert"), "there is no arm 'desert'; there are: 'alone', 'groups', 'squads'"),
         (UseArm("alone", {"world.depth": 3}), "'depth'"),
         (UseArm("alone", {"depth": 3}), "there is no setting 'depth'"),
-        (Reset(-1), "a seed is a whole number from 0 to 9223372036854775807, but this one is -1"),
+        (Reset(-1), "a seed is a whole number from 0 to 9,223,372,036,854,775,807, but this one is -1"),
         (UseProject(project(), applied=7), "7 edits are said to be applied; allowed: 0 to 1"),
     ],
     ids=str,
