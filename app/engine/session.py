@@ -200,9 +200,12 @@ class Session(Course):
     @_obey.register
     def _(self, _: UndoPick) -> None:
         lesson = self._taught()
-        self._change(TakenBack(lesson.undo().recorded))
+        recorded = lesson.undo().recorded
+        self._change(TakenBack(recorded))
         self._reconsider()
-        self._transcript.undo(self.tick, learning=self._will_test(lesson))
+        taught = self.project.library(recorded.type).automata.get(recorded.automaton)
+        removes = recorded.state is not None and not (taught and taught.has_state(recorded.state.id))
+        self._transcript.undo(self.tick, learning=self._will_test(lesson), removes=removes)
         self._tell_demonstrated()
 
     @_obey.register

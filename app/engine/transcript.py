@@ -50,10 +50,15 @@ class Transcript:
         self._over = self._edited = False
         self._acts: list[Pick] = []
         self._live: list[Pick] = []  # those of the acts whose examples are there
+        self._gone: list[tuple[Pick, Pick]] = []  # those whose examples went, with the acts that they went by
         self._added: dict[str, State] = {}
         self._moves: dict[int, Sequence[Pick]] = {}
         self._undone: list[_Undone] = []
-        self._waits: Pick | None = None  # what was done again, but not carried out yet
+        self._stale: int | None = (
+            None  # the tick from which on something is run that was learned from other examples
+        )
+        self._stale_before: int | None = None  # the test that waits
+        self._again: Pick | None = None  # what was done again, but not carried out yet
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]
         self.obstacle = f"it is played without {' and '.join(odd)}" if odd else ""
@@ -66,6 +71,7 @@ class Transcript:
 
     def teach(self, plan: Teach, tick: int) -> None:
         """Nodes are taught from this tick on."""
+        self._come_to(tick)
         before, self._plan, self._undone = self._plan, plan, []
         if before is not None and self._is_as_begun(tick):
             before, self._acts, self._added = None, [], {}
@@ -89,10 +95,13 @@ class Transcript:
 
     def test(self, tick: int) -> None:
         """What was taught is learned and tested."""
+        self._come_to(tick)
+        self._stale_before, self._stale = self._stale, None
         self._acts.append(Pick(tick, "", act="test"))
 
     def not_tested(self) -> None:
         """It could not be learned."""
+        self._stale = self._stale_before
         if self._acts and self._acts[-1].act == "test":
             self._acts.pop()
 
@@ -102,37 +111,61 @@ class Transcript:
         Args:
             added: The state that the automaton has since this pick.
         """
+        self._come_to(act.tick)
         self._undone = []
         if added is not None:
             self._added[added.id] = added
         for old in self._waiting(act, learning=learning):
             if old.act != REDO:
-                act = self._replaced(old, act)
-            elif old is self._waits:
+                act = self._replaced(old, act, learning=learning)
+            elif old is self._again:
                 self.spoil(f"what was done again was replaced at once. {AGAIN}")
         self._insert(act, learning=learning)
         self._live.append(act)
 
     def _waiting(self, act: Pick, *, learning: bool) -> list[Pick]:
-        """What was taught the same node and no tick has carried out: before a test, it never will be."""
-        acts = self._acts[:-1] if learning else self._acts  # the last is a test that has not begun
-        tests = [at for at, done in enumerate(acts) if done.act == "test"]
-        since = [id(done) for done in self._acts[tests[-1] + 1 if tests else 0 :]]
-        alike = [old for old in self._live if (old.node, old.tick) == (act.node, act.tick)]
-        return [old for old in alike if id(old) in since]
+        """What was taught the same node and no tick has carried out."""
+        return [
+            old
+            for old in self._live
+            if old.node == act.node and self._waits(old, act.tick, learning=learning)
+        ]
 
-    def _replaced(self, old: Pick, act: Pick) -> Pick:
+    def _waits(self, act: Pick, tick: int, *, learning: bool) -> bool:
+        """Whether the next tick is to carry out an act: one from before a test, or before nodes are taught anew, never is."""
+        acts = self._acts[:-1] if learning else self._acts  # the last is a test that has not begun
+        begun = [at for at, done in enumerate(acts) if done.act in ("test", "teach")]
+        since = self._acts[begun[-1] + 1 if begun else 0 :]
+        return act.tick == tick and any(done is act for done in since)
+
+    def _replaced(self, old: Pick, act: Pick, *, learning: bool) -> Pick:
         """A second pick before the next tick replaces the first, which is as if it had never been.
+
+        Where something else was taught or learned between, the first is played, too: examples are numbered in a row.
 
         Returns:
             The second as it is to be played: what replaces an answer is one.
         """
-        self._forget(old)
         if old.act == "answer" and act.act == "pick":
-            return replace(act, act="answer")
-        if old.act == "answer" and act.act != "answer":
+            act = replace(act, act="answer")
+        elif old.act == "answer" and act.act != "answer":
             self.spoil("an answer was replaced by what should not have been left")
+        if old is self._live[-1] and self._leaves_no_trace(old, learning=learning):
+            self._forget(old)
+        else:
+            self._live = [other for other in self._live if other is not old]
+            self._gone.append((old, act))
         return act
+
+    def _leaves_no_trace(self, act: Pick, *, learning: bool) -> bool:
+        """Whether all is as if an act had never been, once it is gone before a tick has carried it out."""
+        return not self._is_learned(act, learning=learning) and all(by is not act for _, by in self._gone)
+
+    def _is_learned(self, act: Pick, *, learning: bool) -> bool:
+        """Whether something was learned since: then any node may do what it has taught."""
+        acts = self._acts[:-1] if learning else self._acts
+        after = next((at for at, other in enumerate(acts) if other is act), len(acts))
+        return any(later.act in ("test", "learn") for later in acts[after:])
 
     def _insert(self, act: Pick, *, learning: bool) -> None:
         """A test that waits for what it learns has not begun yet."""
@@ -143,16 +176,25 @@ class Transcript:
         self._live = [other for other in self._live if other is not act]
         self._acts = [other for other in self._acts if other is not act]
 
-    def undo(self, tick: int, *, learning: bool = False) -> None:
-        """The last pick was taken back; where no tick had carried it out, it is as if it had never been."""
+    def undo(self, tick: int, *, learning: bool = False, removes: bool = False) -> None:
+        """The last pick was taken back; where no tick had carried it out, it is as if it had never been.
+
+        Args:
+            removes: The state that the pick had added went with it.
+        """
+        self._come_to(tick)
         pick, written, at = self._live[-1] if self._live else None, None, 0
-        if pick is not None and pick.tick == tick:
+        if removes and pick is not None and self._is_learned(pick, learning=learning):
+            self.spoil(f"a state that had been learned was taken back in the test. {AGAIN}")
+        waits = pick is not None and self._waits(pick, tick, learning=learning)
+        if pick is not None and waits and self._leaves_no_trace(pick, learning=learning):
             at = next((at for at, act in enumerate(self._acts) if act is pick), len(self._acts))
             self._forget(pick)
         else:
             written = Pick(tick, "", act="undo")
             self._insert(written, learning=learning)
             self._live = self._live[:-1]
+            self._gone += [] if pick is None else [(pick, written)]
         self._undone.append(_Undone(pick, written, self._last, tick, at))
 
     def redo(self, tick: int, *, learning: bool = False, waits: bool = False) -> None:
@@ -161,10 +203,11 @@ class Transcript:
         Args:
             waits: No tick has carried it out yet.
         """
+        self._come_to(tick)
         undone = self._undone.pop() if self._undone else None
         if undone is not None and undone.tick == tick and undone.last is self._last:
             self._never_undone(undone)
-        elif undone is None or undone.pick is None or self._is_tested:
+        elif undone is None or undone.pick is None:
             self.spoil(f"a pick that was taken back was done again later. {AGAIN}")
         else:
             self._done_again(undone, undone.pick, tick, learning=learning, waits=waits)
@@ -172,6 +215,7 @@ class Transcript:
     def _never_undone(self, undone: _Undone) -> None:
         if undone.written is not None:
             self._acts = [act for act in self._acts if act is not undone.written]
+            self._gone = [(act, by) for act, by in self._gone if by is not undone.written]
         elif undone.pick is not None:
             self._acts.insert(undone.at, undone.pick)
         if undone.pick is not None:
@@ -184,12 +228,7 @@ class Transcript:
         again = Pick(tick, pick.node, act=REDO)
         self._insert(again, learning=learning)
         self._live.append(again)
-        self._waits = again if waits else None
-
-    @property
-    def _is_tested(self) -> bool:
-        """Whether a test was begun: what is done again later changes what it had learned."""
-        return any(act.act == "test" for act in self._acts)
+        self._again = again if waits else None
 
     @property
     def _last(self) -> Pick | None:
@@ -251,9 +290,17 @@ class Transcript:
         if mine is None or _rest(old, plan) != _rest(new, plan):
             self.spoil("behaviors were changed in the middle of the lesson")
         elif runs and not _is_learned_from(mine, new, plan):
-            self.spoil("it was learned from something else in the middle of the lesson")
+            self._come_to(tick)
+            self._stale = tick  # as an undo brings back, until it is learned anew
         elif runs:
+            self._come_to(tick)
+            self._stale = None
             self._acts.append(Pick(tick, "", act="learn"))
+
+    def _come_to(self, tick: int) -> None:
+        """Time has passed up to this tick, perhaps with something that was learned from other examples."""
+        if self._stale is not None and tick > self._stale:
+            self.spoil("it was learned from something else in the middle of the lesson")
 
     # ------------------------------------------------------------------------------------------ the result
 
@@ -262,8 +309,7 @@ class Transcript:
         plan = self._plan
         if plan is None or not self._live:
             return None
-        last = self._live[-1]
-        acts = self._acts[: 1 + next(at for at, act in enumerate(self._acts) if act is last)]
+        acts = self._acts[: 1 + self._end()]
         return Demonstration(
             plan.demonstration,
             plan.type,
@@ -271,12 +317,21 @@ class Transcript:
             self._arm,
             self._seed,
             tuple(acts),
-            last.tick + 1,
+            acts[-1].tick + 1,
             self._parameters,
             dict(plan.arguments),
             str(plan.others),
             removed=self._removed(acts, project.library(plan.type).automata.get(plan.automaton)),
         )
+
+    def _end(self) -> int:
+        """The place of the last act that is played: the last whose examples are there, or by which others went before it."""
+        places = {id(act): at for at, act in enumerate(self._acts)}
+        end = places[id(self._live[-1])]
+        for act, by in self._gone:  # in the order in which they went
+            if places.get(id(act), end + 1) <= end:
+                end = max(end, places[id(by)])
+        return end
 
     def _removed(self, acts: Sequence[Pick], automaton: Automaton | None) -> tuple[State, ...]:
         """States that picks added, and that went with them when they were taken back."""

@@ -62,6 +62,30 @@ def test_a_lesson_in_which_a_pick_was_done_again_later_than_it_was_taken_back_is
     assert again.examples_of(*WANDER) == hand.examples
 
 
+def test_a_pick_that_was_taken_back_and_done_again_in_a_test_is_kept(hand: Hand) -> None:
+    hand.teach("Wander", "agent-3")
+    hand.pick("Forward")
+    hand.hold(4)
+    hand.pick("RotateLeft")
+    hand.hold(3)
+    hand.test()
+    hand.hold(2)
+    hand.undo()
+    hand.wait(lambda: not hand.studio.relearning.busy)
+    hand.settle()
+    hand.hold(2)
+    hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
+    hand.wait(lambda: not hand.studio.relearning.busy)
+    hand.settle()
+    hand.hold(2)
+    hand.pick("RotateRight")
+    hand.hold(2)
+    assert hand.studio.teaching.keeping.obstacle == ""
+    assert {"test", "undo", "redo"} <= {act.act for act in newest(hand).picks}
+    again = recreate(project(hand), hand.studio.document.scenario, [WANDER])
+    assert again.examples_of(*WANDER) == hand.examples
+
+
 def test_an_agent_that_was_dragged_in_a_lesson_is_dragged_again(hand: Hand) -> None:
     hand.studio.actions["canvas.fit"].trigger()
     hand.teach("Wander", "agent-3")

@@ -57,6 +57,11 @@ def check(driver: Driver, where: tuple[str, str] = SHUTTLE) -> None:
     assert again.moments == driver.project.moments
 
 
+def learned(project: Project) -> Project:
+    """The project with what is learned in the background."""
+    return apply(project, learn(project, corridor.vocabulary, [SHUTTLE]))
+
+
 def problems(driver: Driver) -> list[str]:
     """What is wrong with the project that keeps the demonstration."""
     there = driver.project.demonstrations
@@ -181,8 +186,7 @@ def pacer() -> Automaton:
 def test_what_is_learned_in_the_background_during_a_test_is_learned_when_it_is_played() -> None:
     driver = lesson().pick("up").advance(4).pick("down").advance(4).test().advance(3)
     driver.pick("jump", "agent-2").advance(2)
-    driver.edit(lambda project: apply(project, learn(project, corridor.vocabulary, [SHUTTLE])))
-    driver.advance(6).pick("up", "agent-1")
+    driver.edit(learned).advance(6).pick("up", "agent-1")
     assert "13 learn" in acts(driver)
     check(driver)
 
@@ -291,9 +295,42 @@ def test_a_pick_before_a_test_is_not_replaced_by_one_at_the_same_tick_in_it() ->
     check(driver)
 
 
-def test_once_it_is_tested_a_pick_that_is_done_again_later_is_not_kept_which_is_said() -> None:
+def test_once_it_is_tested_too_a_pick_that_is_done_again_later_is_kept() -> None:
     driver = lesson().pick("up").advance(2).pick("down").advance(2).undo().advance().test().redo().pick("up")
-    assert "done again later" in driver.obstacle
+    check(driver.advance(2))
+    driver = lesson().pick("up").advance(4).pick("down").advance(4).test().advance(2).undo().advance(3)
+    check(driver.redo().advance(2).pick("jump", "agent-2").advance(2))
+    assert [act.split()[1] for act in acts(driver)][-4:] == ["test", "undo", "redo", "pick"]
+
+
+def test_what_a_test_had_learned_is_not_as_if_it_had_never_been_picked() -> None:
+    driver = lesson().pick("up").advance(2).pick("down").test().undo().pick("jump", "agent-2").advance(2)
+    assert [act.split()[1] for act in acts(driver)][-4:] == ["pick", "test", "undo", "pick"]
+    check(driver)
+    driver = lesson().pick("up").advance(2).pick("down").advance(2).test().advance(1).pick("jump", "agent-2")
+    driver.edit(learned).undo().advance(3).redo().pick("down", "agent-1").advance()
+    check(driver)
+
+
+def test_examples_are_numbered_as_they_were_where_a_pick_was_replaced_after_another_ones() -> None:
+    driver = lesson(("agent-1", "agent-2")).pick("up").pick("down", "agent-2").pick("jump", "agent-1")
+    assert [act.split()[1:3] for act in acts(driver)][2:] == [
+        ["pick", "agent-1"],
+        ["pick", "agent-2"],
+        ["pick", "agent-1"],
+    ]
+    check(driver.advance())
+    check(driver.undo().advance())
+
+
+def test_who_is_taught_anew_at_the_same_tick_keeps_what_was_picked_before() -> None:
+    driver = lesson().advance().pick("up").teach(("agent-1", "agent-2"), "Shuttle", demonstration="shuttle-1")
+    check(driver.pick("down").advance(2))
+
+
+def test_a_state_that_had_been_learned_and_went_in_the_test_is_an_obstacle_which_is_said() -> None:
+    driver = lesson().pick("up").advance(2).pick(TOWARD).advance(2).test().advance().undo().pick("up")
+    assert "a state that had been learned" in driver.obstacle
 
 
 def test_what_was_done_again_later_is_followed_by_more() -> None:
