@@ -97,3 +97,12 @@ def test_a_button_is_not_lit_once_its_menu_was_closed_elsewhere(hand: Hand) -> N
     hand.qtbot.keyClick(menu, Qt.Key.Key_Escape)
     assert not menu.isVisible()
     assert not button.underMouse()
+
+
+def test_a_demonstration_is_named_only_where_something_can_be_taught(hand: Hand) -> None:
+    page = hand.panel.idle
+    hand.show("Wander", "agent-3")
+    hand.wait(page.filed.isVisible)
+    assert page.filed.placeholderText() in page.filed.toolTip()
+    hand.studio.selection.select_behavior(None)
+    hand.wait(lambda: not page.filed.isVisible() and not page.keep.isVisible())
