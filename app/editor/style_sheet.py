@@ -119,7 +119,7 @@ QToolButton[flat="true"]:focus {{ border: 1px solid {ACCENT}; padding: 2px; }}
 QComboBox QAbstractItemView, #completions, #add-behavior {{ background: {RAISED}; border: 1px solid {HAIRLINE}; }}
 QComboBox {{ combobox-popup: 0; selection-background-color: {CHOSEN}; selection-color: {WORDS}; }}
 QComboBoxPrivateContainer {{ border: none; }}
-QInputDialog {{ min-width: 340px; }}
+QInputDialog > QComboBox, QInputDialog > QLineEdit, QInputDialog > QAbstractSpinBox {{ min-width: 300px; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; button-layout: {ACCEPT_LAST}; }}
 QComboBox::drop-down {{ border: none; width: 20px; }}
 QComboBox::down-arrow {{ width: 12px; height: 12px; }}

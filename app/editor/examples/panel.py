@@ -326,7 +326,7 @@ class ExamplesPanel(QWidget):
         first = self._first_chosen()
         now = ids.index(first.label) if first is not None and first.label in ids else 0
         name, ok = QInputDialog.getItem(
-            self, "Relabel", "The selected examples go to", names, now, editable=False
+            self, "Relabel", f"{self._chosen_words('goes', 'go')} to", names, now, editable=False
         )
         if ok:
             self._change(relabel_examples, self.chosen, ids[names.index(name)])
@@ -336,10 +336,15 @@ class ExamplesPanel(QWidget):
         first = self._first_chosen()
         now = 1.0 if first is None else first.weight
         weight, ok = QInputDialog.getDouble(
-            self, "Weight", "Each of the selected examples counts as", now, 0.0, HEAVIEST, 2
+            self, "Weight", f"{self._chosen_words('counts', 'count each')} as", now, 0.0, HEAVIEST, 2
         )
         if ok:
             self._change(weight_examples, self.chosen, weight)
+
+    def _chosen_words(self, one: str, many: str) -> str:
+        """What the selected examples do: "Example 3 goes"."""
+        ids = self.chosen
+        return f"Example {ids[0]} {one}" if len(ids) == 1 else f"These {counted(len(ids), 'example')} {many}"
 
     def _menu(self, at: QPoint) -> None:
         menu = QMenu(self)

@@ -329,17 +329,21 @@ def test_dialogs_for_labels_and_weights_begin_with_what_the_example_says(
     click(qtbot, panel, 2)
     qtbot.waitUntil(window.studio.actions["examples.relabel"].isEnabled)
     seen: list[object] = []
+    said: list[str] = []
 
     def look() -> None:
         dialog = QApplication.activeModalWidget()
         assert isinstance(dialog, QInputDialog)
         seen.append(dialog.textValue() or dialog.doubleValue())
+        said.append(dialog.labelText())
+        assert dialog.width() >= 300  # its title was cut off
         dialog.reject()
 
     for action in ("examples.relabel", "examples.weigh"):
         QTimer.singleShot(0, look)
         window.studio.actions[action].trigger()
     assert seen == [panel.model.index(2, Column.LABEL).data(), 2.5]
+    assert said == [f"Example {first.id} goes to", f"Example {first.id} counts as"]
 
 
 def test_a_click_on_the_badge_in_the_library_shows_the_examples_that_contradict_each_other(
