@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
 from app.editor.behavior_colors import luminance
+from app.editor.forms.word_list import WordList
 from app.editor.studio import Studio
 from app.editor.theme import ThemeMode
 from tests.gui.conftest import PATIENCE
@@ -57,6 +58,26 @@ def test_a_list_opens_below_its_box_with_one_line_around_it(
     below = [seen.pixelColor(seen.width() - 4, seen.height() - 1 - y).name() for y in range(3)]
     line, ground = theme.palette.hairline, theme.palette.raised
     assert side == below == [line, ground, ground]
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+
+
+@pytest.mark.parametrize("many", [3, 30])
+def test_words_of_a_list_are_not_cut_off_however_narrow_its_box_is(
+    empty_studio: Studio, qtbot: QtBot, many: int
+) -> None:
+    box = WordList()
+    qtbot.addWidget(box)
+    box.addItems([f"go to the nearest visible box number {k}" for k in range(many)])
+    box.setMaximumWidth(60)
+    screen = box.screen().availableGeometry()
+    box.move(screen.right() - 70, screen.top() + 100)  # at the edge, as the list of arms in the tool bar
+    with qtbot.waitExposed(box):
+        box.show()
+    QTest.keyClick(box, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    view = box.view()
+    qtbot.waitUntil(view.isVisible, timeout=PATIENCE)
+    assert view.viewport().width() >= view.sizeHintForColumn(0)
+    assert screen.contains(view.window().frameGeometry())
     QTest.keyClick(view, Qt.Key.Key_Escape)
 
 

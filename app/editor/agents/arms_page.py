@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QLineEdit, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.edits import add_arm, add_type, delete_arm, move_arm, rename_arm, replace_arm, set_hierarchy
 from ...core.edits.calls import root_types
@@ -18,6 +18,7 @@ from ..forms.choosing import Choice, Chooser
 from ..forms.ordered_list import Item, OrderedList
 from ..forms.parameter_form import ParameterForm
 from ..forms.parts import Complaint, side_by_side
+from ..forms.word_list import WordList
 from .level_table import LevelTableForm
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class ArmsPage(QWidget):
         self.use = text_button("Show its world", "Begin this arm's world in the canvas", self._use)
         self.top = Chooser("What the roots start with", "what the roots start with")
         self.top.chosen.connect(self._top_chosen)
-        self.world = QComboBox()
+        self.world = WordList()
         self.world.setAccessibleName("World")
         self.world.setToolTip("A named set of parameters; the arm's own parameters come on top of it")
         self.world.activated.connect(lambda _: self._change(world=self.world.currentData()))

@@ -16,6 +16,7 @@ from ...core.library import NodeType
 from ...core.project import LevelTable
 from ..forms.buttons import text_button
 from ..forms.parts import Complaint, caption
+from ..forms.word_list import WordList
 from ..number_box import roomy
 
 if TYPE_CHECKING:
@@ -133,7 +134,7 @@ class LevelTableForm(QWidget):
         return box
 
     def _type(self, level: int, kind: str) -> QComboBox:
-        box = QComboBox()
+        box = WordList()
         box.addItems([node_type.name for node_type in self._types])
         box.setAccessibleName(f"Type of level {level + 1} from above")
         box.setToolTip("The node type of this level")

@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QLabel, QLineEdit, QSpinBox, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QLineEdit, QSpinBox, QWidget
 
 from ...core.errors import UnderstudyError
 from ...core.storage import save
 from ...engine.fresh import AGENTS, MOST_AGENTS, fresh_project, refuse_numbers, save_with_code
 from ...engine.scenarios import scenario_at
 from ...sim.scenarios import names, shipped
+from ..forms.word_list import WordList
 from ..number_box import roomy
 from .choosing import choose_existing
 from .forms import Form, PlaceEdit, folder_problem, usable_name
@@ -73,7 +74,7 @@ class NewProject(QDialog):
         super().__init__(window)
         self.setWindowTitle("New project")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.scenario = QComboBox()
+        self.scenario = WordList()
         for name in names():
             self.scenario.addItem(shipped(name).title, name)
         self.scenario.addItem(OWN, None)

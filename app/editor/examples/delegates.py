@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from ..forms.word_list import WordList
 from ..number_box import RealBox, roomy
 from .model import states_of
 
@@ -26,7 +27,7 @@ class LabelDelegate(QStyledItemDelegate):
 
     def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: Index) -> QWidget:
         """The states to choose from."""
-        box = QComboBox(parent)
+        box = WordList(parent)
         if self._model.subject is not None:
             for state_id, name in states_of(self._model.subject):
                 box.addItem(name, state_id)

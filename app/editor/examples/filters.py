@@ -10,6 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from ...core.wording import state_words
+from ..forms.word_list import WordList
 from .model import everything, node_called
 from .verdicts import Verdict
 
@@ -117,7 +118,7 @@ class FilterBar(QWidget):
         return test
 
     def _box(self, layout: QHBoxLayout, caption: str, tip: str) -> QComboBox:
-        box = QComboBox()
+        box = WordList()
         box.setToolTip(tip)
         box.setAccessibleName(f"filter: {caption}")
         box.setMinimumContentsLength(1)

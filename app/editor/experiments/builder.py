@@ -34,6 +34,7 @@ from ...engine.experiments.load import experiments_in
 from ...engine.experiments.plan import Design, Experiment, Kind, Treated
 from ..forms.choosing import Choice, Chooser
 from ..forms.parts import Complaint, caption, framed
+from ..forms.word_list import WordList
 from ..room import resize_within
 from .draft import SAYS, Draft, drafted, shown_claim, shown_factor
 
@@ -129,7 +130,7 @@ class ExperimentBuilder(QDialog):
         shown = [panel.measure for panel in base.panels] if base is not None else []
         for measure in self._studio.document.scenario.measures:
             _add_ticked(self.measures, measure, ticked=measure in shown or not shown)
-        self.design = QComboBox()
+        self.design = WordList()
         self.design.setAccessibleName("Which values are combined")
         self.design.setToolTip(
             "Run every combination of the values, or vary one setting while the others stay"
@@ -238,13 +239,13 @@ class ExperimentBuilder(QDialog):
         arms = [_text(item) for item in _items(self.arms)]
         measures = list(self._studio.document.scenario.measures)
         for place, names, chosen in ((0, arms, first), (2, ["", *arms], second), (3, measures, measure)):
-            box = QComboBox()
+            box = WordList()
             box.setAccessibleName(CLAIM[place])
             box.addItems(list(dict.fromkeys(names)))
             box.setCurrentText(chosen or (names[0] if names else ""))
             box.activated.connect(self._touched)
             self.claims.setCellWidget(row, place, box)
-        says = QComboBox()
+        says = WordList()
         says.setAccessibleName(CLAIM[1])
         for one, words in SAYS.items():
             says.addItem(words, one)

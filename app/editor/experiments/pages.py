@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from ...engine.experiments.report import arm_columns, arm_rows, claim_columns, claim_rows, words_in_arms
+from ..forms.word_list import WordList
 from .comparing import ComparePage
 from .curves import CurvesView
 from .exporting import Exporting
@@ -29,7 +30,7 @@ class Pages(QTabWidget):
     def __init__(self, window: ExperimentsWindow) -> None:
         super().__init__()
         self.found: Findings | None = None
-        self.measure = QComboBox()
+        self.measure = WordList()
         self.measure.setAccessibleName("measure")
         self.measure.setToolTip("What the curves show")
         self.measure.activated.connect(lambda _: self._show_curves())

@@ -10,7 +10,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -36,6 +35,7 @@ from ..documents.asking import Answer, Question
 from ..documents.background import Background
 from ..documents.choosing import choose_file
 from ..forms.parts import Complaint, caption
+from ..forms.word_list import WordList
 from ..room import resize_within
 from ..selection import BehaviorKey
 from .command import command
@@ -99,7 +99,7 @@ class ExportDialog(QDialog):
         self._studio = studio
         self._background = Background(self)
         self._replaced: Path | None = None
-        self.what = QComboBox()
+        self.what = WordList()
         self.what.setAccessibleName("what is exported")
         for words, what in self._offers():
             self.what.addItem(words, what)

@@ -9,6 +9,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QComboBox, QCompleter, QLineEdit
 
+from .word_list import WordList
+
 
 @dataclass(frozen=True, slots=True)
 class Choice:
@@ -47,7 +49,7 @@ class _Field(QLineEdit):
             completer.complete()
 
 
-class Chooser(QComboBox):
+class Chooser(WordList):
     """A list of choices that can be opened, or narrowed by typing any part of a name; Enter takes the only one left.
 
     Args:

@@ -2,7 +2,8 @@
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QWheelEvent
-from PySide6.QtWidgets import QComboBox
+
+from .word_list import WordList
 
 STEPS = (
     Qt.Key.Key_Up,
@@ -14,7 +15,7 @@ STEPS = (
 )
 
 
-class ListChoice(QComboBox):
+class ListChoice(WordList):
     """Opens on the keys that would otherwise choose one thing after the other, each a step to undo."""
 
     def __init__(self) -> None:

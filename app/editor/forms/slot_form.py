@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 from ...core.features import Binding, Ground, Parameter
 from ...core.vocabulary import Target
 from .tab_order import tab_through
+from .word_list import WordList
 
 
 class BoxForm(QWidget):
@@ -70,7 +71,7 @@ class SlotForm(BoxForm):
         self.setVisible(bool(slots))
 
     def _box(self, slot: str, parameters: Sequence[str], targets: Mapping[str, Target]) -> QComboBox:
-        box = QComboBox()
+        box = WordList()
         box.setAccessibleName(f"What {slot} is")
         box.setToolTip(f"What {slot!r} stands for: a target of the world, or a parameter of the behavior")
         box.setPlaceholderText("choose a target")

@@ -24,6 +24,7 @@ from ...core.features import (
 from ...core.vocabulary import STANDARD_FLAGS, Feature, FeatureKind
 from ..forms.choosing import Choice, Chooser
 from ..forms.slot_form import BoxForm, SlotForm
+from ..forms.word_list import WordList
 
 #: How a controller sums up, in words.
 OPERATIONS: Mapping[Operation, tuple[str, str]] = {
@@ -234,7 +235,7 @@ def _bindings(source: Source | None) -> Mapping[str, Binding]:
 def _box(
     name: str, entries: Mapping[Operation, tuple[str, str]] | Mapping[Over, tuple[str, str]]
 ) -> QComboBox:
-    box = QComboBox()
+    box = WordList()
     box.setAccessibleName(name)
     box.setToolTip(name)
     _fill(box, entries)

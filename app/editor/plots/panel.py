@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from ...core.wording import node_words, state_words
 from ..actions import ActionRow, When, when_there
 from ..diagram.label_colors import state_colors
+from ..forms.word_list import WordList
 from ..palette import BASIC
 from ..record import Point, Record
 from ..soon import Later, Soon
@@ -66,7 +67,7 @@ class PlotsPanel(QWidget):
         self._offer()
 
     def _box(self, tip: str, letters: int) -> QComboBox:
-        box = QComboBox()
+        box = WordList()
         box.setToolTip(tip)
         box.setAccessibleName(tip)
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from ..actions import ActionRow
 from ..forms.parts import caption
+from ..forms.word_list import WordList
 from ..number_box import roomy
 from ..room import resize_within
 from ..size import size_in_force, sizes_that_fit
@@ -49,10 +49,10 @@ class Preferences(QDialog):
         self.setWindowTitle("Preferences")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         resize_within(self, 620, 560)
-        self.theme = QComboBox()
+        self.theme = WordList()
         for mode, text in _THEMES.items():
             self.theme.addItem(text, mode)
-        self.size_of_all = QComboBox()
+        self.size_of_all = WordList()
         now, chosen = size_in_force(), studio.settings.size_percent
         for percent in sizes_that_fit(self.screen().availableSize().width(), now, chosen):
             self.size_of_all.addItem(f"{percent} %", percent)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from ...engine.commands import Reset
 from ...engine.snapshots import Mode
+from ..forms.word_list import WordList
 from ..icons import icon
 from ..letters import plain
 from .rows import MOST_SEED, SPEEDS, Speed, is_playing, speed_words, undo_words
@@ -236,7 +237,7 @@ class Toolbar(QToolBar):
         self.seed.setFixedWidth(self.seed.fontMetrics().horizontalAdvance("0" * digits) + 26)
 
     def _add_arm(self) -> None:
-        self.arm = QComboBox()
+        self.arm = WordList()
         self.arm.setAccessibleName("Arm")
         self.arm.setToolTip(
             "The arm: which agents and controllers there are, in which world, and what they run"
