@@ -249,7 +249,8 @@ class TreePanel(QWidget):
 
     def _explanation(self) -> str:
         """Why there is no tree, what to do, and what a model without one says now."""
-        return f"{treeless_words(self.subject)} {self._lighting.outcome_words(self.subject)}".strip()
+        told = f"{treeless_words(self.subject)} {self._lighting.outcome_words(self.subject)}".strip()
+        return f"{told}\n\n{self.following.words}." if self.following.words else told
 
     # -------------------------------------------------------------------------------------------------- live
 
@@ -265,7 +266,7 @@ class TreePanel(QWidget):
         elif subject is not None and isinstance(subject.model, Refit):
             self._message.setText(self._explanation())
         has_tree = subject is not None and subject.tree is not None
-        self.tools.tell(self.following.words or (self._lighting.words if has_tree else ""))
+        self.view.tell(self.following.words or (self._lighting.words if has_tree else ""))
 
     def _trace(self) -> bool:
         """Where the chosen examples pass is lit, down to where they end; whether that is somewhere else now."""
@@ -290,6 +291,7 @@ class TreePanel(QWidget):
     def _turned(self) -> None:
         """Another state is followed, or none any more."""
         self.studio.actions.refresh_some(["tree.follow"])
+        self._message.setText(self._explanation())
         self._live_soon()
         self.touch()
 

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ..cut_line import CutLine
 from ..escape import takes_escape
 from .confidence_page import ConfidencePage
 from .cut_page import CutPage
@@ -28,7 +27,7 @@ HEIGHT = 112
 
 
 class Tools(QWidget):
-    """Buttons that each open a page, or close it again, and beside them whose path is lit.
+    """Buttons that each open a page, or close it again.
 
     Attributes:
         cut, prunes, confidence: The pages.
@@ -67,10 +66,7 @@ class Tools(QWidget):
             self._stack.addWidget(page)
             self.buttons[name] = button
             row.addWidget(button)
-        self.told = CutLine()
-        self.told.setProperty("role", "caption")
-        self.told.setAlignment(Qt.AlignmentFlag.AlignRight)
-        row.addWidget(self.told, 1)
+        row.addStretch(1)
         line = QFrame()
         line.setProperty("role", "hairline")
         line.setFixedHeight(1)
@@ -86,11 +82,6 @@ class Tools(QWidget):
         """The page that is open; empty if none is."""
         names = list(self.buttons)
         return names[self._stack.currentIndex()] if self._stack.isVisibleTo(self) else ""
-
-    def tell(self, words: str) -> None:
-        """Say whose path is lit, or what is missing for one to be."""
-        if words != self.told.text():
-            self.told.setText(words)
 
     def toggle(self, name: str) -> None:
         """Open a page, or close it if it is open."""

@@ -1,16 +1,23 @@
 """The decision tree under the hand: mouse and keys."""
 
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QPalette, QResizeEvent
 
+from ..cut_line import CutLine
 from ..diagram.view import DiagramView
 from ..theme import Theme
 from .scene import TreeScene
 from .shape import ROOT, Key
 
+#: Pixels between what is said and the edges, and around its words.
+EDGE, AROUND = 8, 4
+
 
 class TreeView(DiagramView):
     """Shows a scene and tells what the user wants of it.
+
+    Attributes:
+        told: Says in its corner whose path is lit.
 
     Signals:
         chosen: A node was selected, by its key.
@@ -28,6 +35,33 @@ class TreeView(DiagramView):
         super().__init__(scene, theme)
         self._tree = scene
         self.setAccessibleName("Decision tree")
+        self.told = CutLine()
+        self.told.setParent(self)
+        self.told.setProperty("role", "caption")
+        self.told.setContentsMargins(AROUND, 0, AROUND, 0)
+        self.told.setBackgroundRole(QPalette.ColorRole.Window)
+        self.told.setAutoFillBackground(True)
+        self.told.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.told.hide()
+
+    def tell(self, words: str) -> None:
+        """Say whose path is lit, or what is missing for one to be."""
+        if words != self.told.text():
+            self.told.setText(words)
+            self.told.setVisible(bool(words))
+            self.setAccessibleDescription(words)
+            self._place_told()
+
+    def _place_told(self) -> None:
+        wanted, height = self.told.sizeHint().width(), self.told.sizeHint().height()
+        seen = self.maximumViewportSize()
+        width = min(wanted, seen.width() - 2 * EDGE)
+        self.told.setGeometry(EDGE, seen.height() - height - EDGE // 2, width, height)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """What is said stays in its corner."""
+        super().resizeEvent(event)
+        self._place_told()
 
     def contents(self) -> QRectF:
         """What there is to see."""

@@ -6,6 +6,7 @@ from app.core.project import Demonstration, Project
 from app.engine.commands import MoveEntities, Reset
 from app.engine.demonstrations import recreate
 from app.engine.snapshots import Mode
+from app.learner.trainer import fingerprint
 from tests.gui.teach.hand import CONTROL, LEFT, SHIFT, Hand
 
 WANDER = ("agent", "wander")
@@ -22,6 +23,12 @@ def kept(hand: Hand) -> list[str]:
 
 def newest(hand: Hand) -> Demonstration:
     return project(hand).demonstrations[-1]
+
+
+def wait_until_learned(hand: Hand) -> None:
+    """Let no time pass before what is run was learned from the examples that there are."""
+    hand.wait(lambda: hand.automaton.learned_from == fingerprint(hand.automaton, hand.examples))
+    hand.settle()
 
 
 def test_a_lesson_in_the_window_is_played_again_without_it(hand: Hand) -> None:
@@ -71,12 +78,10 @@ def test_a_pick_that_was_taken_back_and_done_again_in_a_test_is_kept(hand: Hand)
     hand.test()
     hand.hold(2)
     hand.undo()
-    hand.wait(lambda: not hand.studio.relearning.busy)
-    hand.settle()
+    wait_until_learned(hand)
     hand.hold(2)
     hand.act(lambda: hand.key(Qt.Key.Key_Z, CONTROL | SHIFT))
-    hand.wait(lambda: not hand.studio.relearning.busy)
-    hand.settle()
+    wait_until_learned(hand)
     hand.hold(2)
     hand.pick("RotateRight")
     hand.hold(2)

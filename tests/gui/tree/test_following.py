@@ -48,7 +48,7 @@ def test_a_tree_stays_where_it_is_unless_it_is_to_follow(
 ) -> None:
     select_agent(studio)
     studio.bridge.send(Step())
-    qtbot.waitUntil(lambda: panel.tools.told.text() == "lit: Agent 1, now")
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
     assert not panel.follow.isChecked()
     assert shown(panel) == "wander"
 
@@ -136,10 +136,10 @@ def test_following_ends_where_the_rules_are_edited(panel: TreePanel, studio: Stu
 
 def test_it_is_said_whom_to_select_to_follow(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     qtbot.mouseClick(panel.follow, LEFT)
-    qtbot.waitUntil(lambda: panel.tools.told.text() == "Select an agent to follow it")
+    qtbot.waitUntil(lambda: panel.view.told.text() == "Select an agent to follow it")
     select_agent(studio)
     studio.selection.select_behavior(BehaviorKey("agent", "let-go"))
-    qtbot.waitUntil(lambda: panel.tools.told.text() == "Agent 1 does not run LetGo now")
+    qtbot.waitUntil(lambda: panel.view.told.text() == "Agent 1 does not run LetGo now")
 
 
 def test_whether_the_tree_follows_is_remembered(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
@@ -170,7 +170,7 @@ def test_an_example_that_is_chosen_shows_the_tree_of_its_state_and_where_it_ends
     assert panel.subject is not None
     (end,) = (key for key in panel.scene.nodes if key != 1 and panel.scene.is_lit(key))
     assert panel.subject.words(panel.scene.nodes[end].knot).title == panel.subject.name(label)
-    assert panel.tools.told.text() == f"lit: example {ids[0]}"
+    assert panel.view.told.text() == f"lit: example {ids[0]}"
 
 
 def test_an_example_goes_before_the_agent_that_is_followed(
@@ -181,14 +181,14 @@ def test_an_example_goes_before_the_agent_that_is_followed(
     qtbot.waitUntil(lambda: shown(panel) == "return-with-box")
     assert not panel.follow.isChecked()
     studio.selection.select_examples(())
-    qtbot.waitUntil(lambda: not panel.tools.told.text())
+    qtbot.waitUntil(lambda: not panel.view.told.text())
 
 
 def test_examples_of_the_state_that_is_shown_do_not_turn_the_tree(
     panel: TreePanel, studio: Studio, qtbot: QtBot
 ) -> None:
     studio.selection.select_examples((*of_state(studio, "return-with-box"), *of_state(studio, "wander")))
-    qtbot.waitUntil(lambda: panel.tools.told.text() == "lit: 5 examples")
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: 5 examples")
     assert shown(panel) == "wander"
     assert all(panel.scene.is_lit(key) for key in (1, 2, 3))
 
@@ -200,7 +200,7 @@ def test_an_example_that_is_not_learned_from_shows_where_it_would_end(
     first = of_state(studio, "wander")[:1]
     studio.document.do(disable_examples, "agent", "forage", first)
     studio.selection.select_examples(first)
-    qtbot.waitUntil(lambda: panel.tools.told.text() == f"lit: example {first[0]}")
+    qtbot.waitUntil(lambda: panel.view.told.text() == f"lit: example {first[0]}")
     assert panel.scene.is_lit(1)
 
 
@@ -231,9 +231,9 @@ def test_a_node_of_the_tree_that_is_chosen_leaves_the_agents_path_lit(
 ) -> None:
     select_agent(studio)
     studio.bridge.send(Step())
-    qtbot.waitUntil(lambda: panel.tools.told.text() == "lit: Agent 1, now")
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
     place = panel.view.mapFromScene(panel.scene.nodes[3].scenePos())
     qtbot.mouseClick(panel.view.viewport(), LEFT, pos=place)
     have_done_what_is_due()
     assert len(studio.selection.examples) == 2
-    assert panel.tools.told.text() == "lit: Agent 1, now"
+    assert panel.view.told.text() == "lit: Agent 1, now"
