@@ -1,5 +1,6 @@
 """What several verbs take, as it is typed, and the examples below their help."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
@@ -20,20 +21,25 @@ WHOLE = "N"
 
 
 def whole(least: int, most: int | None = None) -> Callable[[str], int]:
-    """Reads a whole number, and says what is allowed and what was found."""
+    """Reads a whole number, thousands apart or not, and says what is allowed and what was found."""
 
-    def parsed(typed: str) -> int:
+    def parsed(typed: str | int) -> int:  # a default comes as it is
         try:
-            value = int(typed)
+            value = int(_without_commas(typed) if isinstance(typed, str) else typed)
         except ValueError:
             raise typer.BadParameter(f"it must be a whole number, but it is {typed!r}") from None
         if value < least:
-            raise typer.BadParameter(f"it must be {least} or more, but it is {value}")
+            raise typer.BadParameter(f"it must be {least:,} or more, but it is {value:,}")
         if most is not None and value > most:
-            raise typer.BadParameter(f"it must be {most} or less, but it is {value}")
+            raise typer.BadParameter(f"it must be {most:,} or less, but it is {value:,}")
         return value
 
     return parsed
+
+
+def _without_commas(typed: str) -> str:
+    """*typed* as Python reads it, if it is a whole number as our own messages write it: 1,000,000."""
+    return typed.replace(",", "") if re.fullmatch(r"[+-]?\d{1,3}(,\d{3})+", typed) else typed
 
 
 ProjectFolder = Annotated[Path, typer.Argument(metavar="PROJECT", help="The project's folder.")]

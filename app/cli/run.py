@@ -112,7 +112,7 @@ def seeds(request: Request) -> range:
     """A seed a run."""
     last = request.seed + request.runs - 1
     if last > LARGEST_SEED:
-        raise ParameterError(f"seeds go up to {LARGEST_SEED}, but the last would be {last}")
+        raise ParameterError(f"seeds go up to {LARGEST_SEED:,}, but the last would be {last:,}")
     return range(request.seed, last + 1)
 
 

@@ -13,6 +13,11 @@ def number(value: float) -> str:
     return f"{value:,.4g}" if abs(value) < 1000 else f"{value:,.1f}"
 
 
+def exact(value: float) -> str:
+    """*value* with all of its digits, as limits need them: thousands apart, and whole numbers without a point."""
+    return f"{value:,}".removesuffix(".0")
+
+
 def percent(share: float | None) -> str:
     """*share* of 1 as a percentage; a dash where there is none."""
     return "–" if share is None else f"{share:.0%}"

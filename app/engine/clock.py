@@ -73,7 +73,7 @@ class Clock:
             SessionError: That is no number of ticks.
         """
         if ticks < 1:
-            raise SessionError(f"a step is of 1 tick or more, but it is {ticks}")
+            raise SessionError(f"a step is of 1 tick or more, but it is {ticks:,}")
         self._set(0.0, ticks + (self.due if self.going_to is None else 0))
         self.stops_in = None
 

@@ -125,10 +125,10 @@ def _command(act: Pick, demonstration: Demonstration) -> Command | Learn:
             return MoveEntities({act.entity: (act.x, act.y)})
         case "move":
             raise SessionError(
-                f"demonstration {demonstration.id!r}, tick {act.tick}: a move needs an entity, x and y"
+                f"demonstration {demonstration.id!r}, tick {act.tick:,}: a move needs an entity, x and y"
             )
     raise SessionError(
-        f"demonstration {demonstration.id!r}, tick {act.tick}: {act.act!r} is no act; allowed: pick, answer, should not have "
+        f"demonstration {demonstration.id!r}, tick {act.tick:,}: {act.act!r} is no act; allowed: pick, answer, should not have "
         "left, undo, redo, test, learn, teach, move"
     )
 
@@ -182,7 +182,7 @@ class _Play:
     def _until(self, tick: int) -> None:
         """Let time pass up to *tick*."""
         if tick < self._session.tick:
-            raise SessionError(f"{self._name}: tick {tick} comes after tick {self._session.tick}")
+            raise SessionError(f"{self._name}: tick {tick:,} comes after tick {self._session.tick:,}")
         while self._session.tick < tick:
             self._session.pass_ticks(min(SLICE, tick - self._session.tick))
             self._refuse_refused()
@@ -191,7 +191,7 @@ class _Play:
     def _refuse_refused(self) -> None:
         for event in self._session.events():
             if isinstance(event, Refused):
-                raise SessionError(f"{self._name}, tick {self._session.tick}: {event.message}")
+                raise SessionError(f"{self._name}, tick {self._session.tick:,}: {event.message}")
 
     @property
     def _name(self) -> str:

@@ -155,7 +155,7 @@ class Timeline:
         """
         if tick < self.beginning:
             raise SessionError(
-                f"this run can be gone back in to tick {self.beginning}, not to {tick}: what came before ran with other "
+                f"this run can be gone back in to tick {self.beginning:,}, not to {tick:,}: what came before ran with other "
                 f"behaviors, or someone was taught; a reset begins at tick 0"
             )
         nearest = [frame for frame in self._frames if frame.tick <= tick][-1]

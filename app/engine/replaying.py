@@ -141,7 +141,7 @@ def _words(project: Project, where: Where, example: Example) -> str:
     automaton = library.get(where[1])
     source, label = (shown_state(automaton, end, library) for end in (example.source, example.label))
     does = f"stay in {label}" if source == label else f"{source} → {label}"
-    return f"{does}, {example.node}, tick {example.tick}, {example.demonstration or 'no demonstration'}"
+    return f"{does}, {example.node}, tick {example.tick:,}, {example.demonstration or 'no demonstration'}"
 
 
 def _odd(stored: Example, recorded: Example) -> str:

@@ -110,7 +110,7 @@ class EngineThread:
                 return newest
             if ended := self._ended():
                 raise SessionError(ended)
-            there = "there is none yet" if newest is None else f"the newest is at tick {newest.tick}"
+            there = "there is none yet" if newest is None else f"the newest is at tick {newest.tick:,}"
             raise TimeoutError(f"no such snapshot in {timeout} s; {there}")
 
     def leave(self) -> None:

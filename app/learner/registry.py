@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import isfinite
 
+from ..core.amounts import exact
 from ..core.automaton import Model, Refit, Settings
 from ..core.errors import ParameterError
 from ..core.transition import Classifier
@@ -87,8 +88,8 @@ def _refuse_out_of_range(option: Option, value: float) -> None:
         isfinite(value) and option.low <= value <= option.high and (not option.whole or value == int(value))
     ):
         kind = "a whole number" if option.whole else "a number"
-        allowed = f"{kind} from {option.low:g} to {option.high:g}"
-        raise ParameterError(f"the option {option.name!r} is {value:g}; it must be {allowed}")
+        allowed = f"{kind} from {exact(option.low)} to {exact(option.high)}"
+        raise ParameterError(f"the option {option.name!r} is {exact(value)}; it must be {allowed}")
 
 
 def fit(data: Dataset, settings: Settings, cancelled: IsCancelled = never) -> Classifier:

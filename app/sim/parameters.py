@@ -9,6 +9,7 @@ from dataclasses import MISSING, Field, field, fields, is_dataclass
 from math import isfinite
 from typing import Any, cast
 
+from ..core.amounts import exact
 from ..core.errors import ParameterError, ScenarioError
 from ..core.project import Value
 
@@ -98,8 +99,13 @@ def _refuse_outside(name: str, declared: "Field[Any]", value: Value) -> None:
         raise ParameterError(f"{name} is one of {', '.join(choices)}, but it is {value!r}")
     if isinstance(value, str):
         return
-    unit = f" {unit}" if unit else ""
     if low is not None and value < low:
-        raise ParameterError(f"{name} must be {low}{unit} or more, but it is {value}")
+        raise ParameterError(f"{name} must be {_amount(low, unit)} or more, but it is {exact(value)}")
     if high is not None and value > high:
-        raise ParameterError(f"{name} must be {high}{unit} or less, but it is {value}")
+        raise ParameterError(f"{name} must be {_amount(high, unit)} or less, but it is {exact(value)}")
+
+
+def _amount(bound: float, unit: str) -> str:
+    """A bound in its unit, such as "10 units", "1 degree per tick"."""
+    first, gap, rest = unit.partition(" ")
+    return f"{exact(bound)} {first.removesuffix('s') if bound == 1 else first}{gap}{rest}".rstrip()

@@ -152,10 +152,12 @@ def _tick_problems(demonstration: Demonstration) -> Iterator[Problem]:
     for index, pick in enumerate(demonstration.picks):
         where = place("picks", index, "tick")
         if not 0 <= pick.tick <= demonstration.ticks:
-            message = f"the demonstration goes on for {demonstration.ticks} ticks, but a pick is at tick {pick.tick}"
+            message = f"the demonstration goes on for {demonstration.ticks:,} ticks, but a pick is at tick {pick.tick:,}"
             yield _error(demonstration.id, where, message)
         elif pick.tick < before:
-            message = f"the picks must be in the order of their ticks, but {pick.tick} comes after {before}"
+            message = (
+                f"the picks must be in the order of their ticks, but {pick.tick:,} comes after {before:,}"
+            )
             yield _error(demonstration.id, where, message)
         before = max(before, pick.tick)
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from ..amounts import exact
 from ..errors import StorageError
 from .fields import kinds_at, members_at
 from .text import member
@@ -128,7 +129,7 @@ def _wrong_value(
 
 def _plain(bound: object) -> object:
     """A bound as people write it: 1, not 1.0."""
-    return int(bound) if isinstance(bound, float) and bound.is_integer() else bound
+    return exact(bound) if isinstance(bound, int | float) else bound
 
 
 def _either(names: Sequence[str]) -> str:

@@ -12,7 +12,9 @@ from PySide6.QtGui import QAction, QKeySequence
 from ...core.edits import replace_arm
 from ...core.errors import UnderstudyError
 from ...core.naming import lowered
+from ...core.project import Value
 from ..actions import SUBMENUS, ActionRow
+from ..forms.parameter_form import said
 from ..searching import words_in
 from ..selection import BehaviorKey
 from .matching import matching, score
@@ -226,7 +228,7 @@ def _parameters(studio: Studio) -> Section:
         declared = fields[names[at]]
         value = _value(studio, names[at])
         unit = declared.metadata.get("unit", "")
-        detail = f"{value} {unit}".strip() + f" · {declared.metadata.get('doc', '')}"
+        detail = f"{said(value)} {unit}".strip() + f" · {declared.metadata.get('doc', '')}"
         prompt = f"{texts[at]} in arm {arm.name}" if arm is not None else texts[at]
         ask = Ask(prompt, str(value), lambda typed: set_parameter(studio, names[at], typed))
         return Entry("parameter", texts[at], detail, asks=ask)
@@ -235,7 +237,7 @@ def _parameters(studio: Studio) -> Section:
     return Section("parameter", texts, entry, 3, others)
 
 
-def _value(studio: Studio, name: str) -> object:
+def _value(studio: Studio, name: str) -> Value:
     arm, document = studio.arm, studio.document
     if arm is None:
         return ""

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ...core.amounts import exact
 from ...core.project import Value
 from ...sim.parameters import default
 from ..icons import icon
@@ -204,16 +205,21 @@ class ParameterForm(QWidget):
                 part.setVisible(found)
 
 
+def said(value: Value) -> str:
+    """A value of a parameter, for people."""
+    return str(value) if isinstance(value, bool | str) else exact(value)
+
+
 def explained(declared: Field[Any]) -> str:
     """The doc of a parameter, with its range and default."""
     low, high, unit = (declared.metadata[key] for key in ("low", "high", "unit"))
     words = [declared.metadata["doc"]]
-    if low is not None or high is not None:
-        bounds = (
-            f"from {low:g}" if high is None else f"up to {high:g}" if low is None else f"{low:g} to {high:g}"
-        )
-        words.append(f"allowed: {bounds} {unit}".strip())
-    words.append(f"by default {declared.default}")
+    if low is not None and high is not None:
+        words.append(f"allowed: {exact(low)} to {exact(high)} {unit}".strip())
+    elif low is not None or high is not None:
+        bound = f"from {exact(low)}" if low is not None else f"up to {exact(high)}"
+        words.append(f"allowed: {bound} {unit}".strip())
+    words.append(f"by default {said(default(declared))}")
     return "\n".join(word for word in words if word)
 
 

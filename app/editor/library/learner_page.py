@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...core.amounts import counted
+from ...core.amounts import counted, exact
 from ...core.automaton import Sampling, Settings
 from ...core.edits import set_settings
 from ...core.errors import UnderstudyError
@@ -193,7 +193,9 @@ class LearnerPage(QWidget):
             field.setRange(option.low, option.high)
             field.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         field.setAccessibleName(option.title)
-        field.setToolTip(f"{option.title}: {exact(option.low)} to {exact(option.high)}; {exact(option.default)} at first")
+        field.setToolTip(
+            f"{option.title}: {exact(option.low)} to {exact(option.high)}; {exact(option.default)} at first"
+        )
         field.valueChanged.connect(lambda value: self._option_set(option.name, float(value)))
         field.editingFinished.connect(self._editing.end_gesture)
         return field

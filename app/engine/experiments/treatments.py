@@ -21,6 +21,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from threading import Lock
 
+from ...core.amounts import counted
 from ...core.automaton import Automaton
 from ...core.check import refuse
 from ...core.errors import ParameterError
@@ -210,7 +211,7 @@ def _resized(arm: Arm, sizes: Given) -> Arm:
     levels = len(arm.hierarchy.types)
     if not isinstance(sizes, tuple) or len(sizes) != levels or min(sizes) < 1:
         raise ParameterError(
-            f"'sizes' must be an array of {levels} whole numbers, 1 or more, for arm {arm.name!r}, but found {sizes!r}"
+            f"'sizes' must be an array of {counted(levels, 'whole number')}, 1 or more, for arm {arm.name!r}, but found {sizes!r}"
         )
     return replace(arm, hierarchy=LevelTable(sizes, arm.hierarchy.types))
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin, sqrt, tau
 
+from ...core.amounts import exact
 from ...core.chance import uniform
 from ...core.vocabulary import DONE, NO_ENTITY, FeatureKind, Phrases
 from ..geometry import clamped, distance, heading_cos, heading_sin, square_distance, wrapped
@@ -102,16 +103,17 @@ scenario = Scenario(
 def impossible(p: Parameters) -> str:
     """Parameters with which there would be more big boxes than boxes, or no place for the deposit or a box."""
     if p.big_boxes > p.boxes:
-        return f"big_boxes must be {p.boxes} or less, as many as there are boxes, but it is {p.big_boxes}"
+        return f"big_boxes must be {p.boxes:,} or less, as many as there are boxes, but it is {p.big_boxes:,}"
     if p.deposit_x > p.width:
-        return f"deposit_x must be {p.width} or less, within the arena's width, but it is {p.deposit_x}"
+        return f"deposit_x must be {exact(p.width)} or less, within the arena's width, but it is {exact(p.deposit_x)}"
     if p.deposit_y > p.height:
-        return f"deposit_y must be {p.height} or less, within the arena's height, but it is {p.deposit_y}"
+        return f"deposit_y must be {exact(p.height)} or less, within the arena's height, but it is {exact(p.deposit_y)}"
     corner = hypot(max(p.deposit_x, p.width - p.deposit_x), max(p.deposit_y, p.height - p.deposit_y))
     if p.deposit_range >= corner:
-        return f"deposit_range must be below {corner:g}, short of a corner of the arena, but it is {p.deposit_range}"
+        below = f"{exact(round(corner, 2))}, short of a corner of the arena"
+        return f"deposit_range must be below {below}, but it is {exact(p.deposit_range)}"
     if p.placement == "ring" and p.ring_radius <= p.deposit_range:
-        return f"ring_radius must be above {p.deposit_range}, beyond deposit_range, but it is {p.ring_radius}"
+        return f"ring_radius must be above {exact(p.deposit_range)}, beyond deposit_range, but it is {exact(p.ring_radius)}"
     return ""
 
 

@@ -78,6 +78,7 @@ def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) 
         (["run", "x", "--ticks", "-1"], "'--ticks': it must be 1 or more, but it is -1"),
         (["run", "x", "--jobs", "0"], "'--jobs': it must be 1 or more, but it is 0"),
         (["run", "x", "--seed", "-1"], "'--seed': it must be 0 or more, but it is -1"),
+        (["run", "x", "--ticks", "1,00"], "'--ticks': it must be a whole number, but it is '1,00'"),
         (["run", "x", "--ticks", "many"], "'--ticks': it must be a whole number, but it is 'many'"),
         (["experiment", "x", "--runs", "1e3"], "'--runs': it must be a whole number, but it is '1e3'"),
         (["run", "x", "--tocks", "3"], "--tocks"),

@@ -59,6 +59,13 @@ def test_every_arm_runs(arm: str, folder: Path, capsys: pytest.CaptureFixture[st
     assert arm in capsys.readouterr().out
 
 
+def test_numbers_may_be_typed_as_messages_write_them(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", str(folder), "--ticks", "1,000", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["ticks"] == 1000
+
+
 def test_another_top_behavior_replaces_the_arm_s(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", str(folder), "--top", "Wander", "--ticks", "5", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["top"] == "Wander"
@@ -137,15 +144,15 @@ def test_a_stale_behavior_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[
         (["--top", "Forrage"], "understudy: --top Forrage: arm 'independent' starts with 'Forrage', which"),
         (["--top", "Forrage"], "did you mean 'Forage'?"),
         (["--top", "Goto"], "understudy: --top Goto: 'target' of Goto is open"),
-        (["--ticks", "1000000001"], "'--ticks': it must be 1000000000 or less, but it is 1000000001"),
-        (["--runs", "1000001"], "'--runs': it must be 1000000 or less, but it is 1000001"),
+        (["--ticks", "1000000001"], "'--ticks': it must be 1,000,000,000 or less, but it is 1,000,000,001"),
+        (["--runs", "1000001"], "'--runs': it must be 1,000,000 or less, but it is 1,000,001"),
         (["--set", "world.bxes=3"], "did you mean 'world.boxes'?"),
         (["--set", "world.boxes=-1"], "boxes must be 0 or more, but it is -1"),
         (["--set", "world.boxes=many"], "boxes takes a whole number, but it is 'many'"),
         (["--set", "world.placement=here"], "placement is one of"),
         (["--set", "physics=magic"], "magic"),
         (["--set", "world.boxes"], "NAME=VALUE"),
-        (["--seed", str(2**63 - 1), "--runs", "2"], "seeds go up to 9223372036854775807"),
+        (["--seed", str(2**63 - 1), "--runs", "2"], "seeds go up to 9,223,372,036,854,775,807"),
     ],
 )
 def test_bad_input_is_refused_by_name_before_anything_runs(

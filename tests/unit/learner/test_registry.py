@@ -171,7 +171,7 @@ def test_an_unknown_option_is_refused_with_the_names_of_all() -> None:
 
 @pytest.mark.parametrize("value", [0, 1001, 1.5, nan])
 def test_an_option_out_of_range_is_refused_with_the_range(value: float) -> None:
-    with pytest.raises(ParameterError, match=r"'min_leaf' is .*; it must be a whole number from 1 to 1000"):
+    with pytest.raises(ParameterError, match=r"'min_leaf' is .*; it must be a whole number from 1 to 1,000"):
         options_of(Settings(options={"min_leaf": value}))
 
 

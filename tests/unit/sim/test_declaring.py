@@ -246,7 +246,7 @@ class OtherWord:
             "the default of parameter 'size' is (1, 2); allowed: a number, a whole number, true or false, a word",
         ),
         (Wordy, "parameter 'size' is a word, so it needs choices"),
-        (Outside, "the default of a parameter is not allowed: size must be 2.0 units or less, but it is 3.0"),
+        (Outside, "the default of a parameter is not allowed: size must be 2 units or less, but it is 3"),
         (
             OtherWord,
             "the default of a parameter is not allowed: size is one of small, large, but it is 'huge'",

@@ -80,7 +80,9 @@ def test_seeds_run_up_to_63_bits(seed: int) -> None:
     ("begin", "message"), [({"seed": -1}, "a seed is"), ({"number": 2**63}, "a world number is")]
 )
 def test_other_seeds_are_refused(begin: dict[str, int], message: str) -> None:
-    with pytest.raises(ParameterError, match=message + r" a whole number from 0 to 9223372036854775807, but"):
+    with pytest.raises(
+        ParameterError, match=message + r" a whole number from 0 to 9,223,372,036,854,775,807, but"
+    ):
         world(**begin)
 
 

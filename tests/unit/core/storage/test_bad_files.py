@@ -109,7 +109,7 @@ CASES: dict[str, tuple[str, Change, str, str]] = {
     "not a number": (TAUGHT, put("examples", 0, "values", "f1", math.nan), "examples[0].values.f1", "must be a finite number, but found NaN"),
     "infinity": (TAUGHT, put("examples", 0, "values", "f1", -math.inf), "examples[0].values.f1", "must be a finite number, but found -Infinity"),
     "infinity as a parameter": (PROJECT, put("worlds", "", "speed", math.inf), 'worlds[""].speed', "must be a finite number"),
-    "a seed of more than 64 bits": (SHOWN, put("seed", 2**64), "seed", f"must be at most {2**63 - 1}, but found {2**64}"),
+    "a seed of more than 64 bits": (SHOWN, put("seed", 2**64), "seed", f"must be at most {2**63 - 1:,}, but found {2**64}"),
     "a number beyond float64": (TAUGHT, put("examples", 0, "values", "f1", 10**400), "examples[0].values.f1", "must be a number that float64 can hold, but found 1000"),
     # trees
     "a tree that points backward": (GOTO, put(*S1, "yes", 2, 1), "learned.s1.yes[2]", "must be the index of a later node, 3 to 6, but found 1"),
