@@ -1,5 +1,6 @@
 """The window's end of the engine: commands go in, snapshots come out once a frame, events become undoable edits."""
 
+from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -28,6 +29,7 @@ from ..engine.snapshots import (
 )
 from ..engine.thread import EngineThread
 from .document import Document
+from .turn import Patience
 
 #: Milliseconds between two looks at the engine.
 FRAME = 16
@@ -75,6 +77,9 @@ class Bridge(QObject):
         self._engine: EngineThread | None = None
         self._left: list[EngineThread] = []  # those that may still be at their last tick
         self.snapshot: Snapshot | None = None
+        self._newest: Snapshot | None = None  # to be shown once all events have been taken in
+        self._events: deque[Event] = deque()
+        self._patience = Patience()
         self._applied = 0
         self._taking = False
         self._taking_back = self._doing_again = 0
@@ -83,6 +88,8 @@ class Bridge(QObject):
         document.project_changed.connect(self._project_changed)
         self._timer = QTimer(self, interval=FRAME, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.poll)
+        self._again = QTimer(self, interval=0, singleShot=True)
+        self._again.timeout.connect(self.poll)
         # An answer is looked at as soon as it is there: up to a frame sooner.
         self._answered.connect(self.poll, Qt.ConnectionType.QueuedConnection)
 
@@ -105,11 +112,13 @@ class Bridge(QObject):
     def close(self) -> None:
         """End the session; its thread ends by itself after the tick that it is at, which nobody has to wait for."""
         self._timer.stop()
+        self._again.stop()
+        self._events.clear()
         if self._engine is not None:
             engine, self._engine = self._engine, None
             engine.leave()
             self._left = [*(left for left in self._left if not left.has_ended), engine]
-        self.snapshot = None
+        self.snapshot = self._newest = None
 
     def shut_down(self) -> None:
         """End the session and wait for all threads, also of sessions before it."""
@@ -135,17 +144,23 @@ class Bridge(QObject):
         return 0 if self._engine is None else self._engine.send(command)
 
     def poll(self) -> None:
-        """Take in what has happened since the last look."""
+        """Take in what has happened since the last look; after each event whatever else has come, if it took long."""
         engine = self._engine
         if engine is None:
             return
-        newest = engine.newest  # before the events, so that none is missing that the snapshot shows
-        for event in engine.events():
-            self._take(event)
-        if newest is not None and newest is not self.snapshot:
-            self._show(newest)
+        if not self._events:
+            self._newest = engine.newest  # before the events, so that none is missing that the snapshot shows
+            self._events.extend(engine.events())
+        while not self._patience.waits():
+            if not self._events:
+                self._show(self._newest)
+                return
+            self._take(self._events.popleft())
+        self._again.start()
 
-    def _show(self, newest: Snapshot) -> None:
+    def _show(self, newest: Snapshot | None) -> None:
+        if newest is None or newest is self.snapshot:
+            return
         before, self.snapshot = self.snapshot, newest
         if before is None or before.place is not newest.place:
             self.place_changed.emit(newest.place)

@@ -10,6 +10,8 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
+from .turn import Patience
+
 #: Seconds of such work in a row, at most; then whatever else has come is dealt with first, so that the window answers.
 SPELL = 0.004
 #: What is done may ask for more: a panel changes, then what is possible, then who shows that.
@@ -103,6 +105,9 @@ class Later(Soon):
         super().forget()
 
 
+_patience = Patience()
+
+
 @cache
 def _timer() -> QTimer:
     """A timer, since what is posted from within a spell would be done in the same one."""
@@ -121,6 +126,9 @@ def _do(due: Soon) -> None:
 
 
 def _work() -> None:
+    if _patience.waits():
+        _timer().start()
+        return
     end = perf_counter() + SPELL
     try:
         while line := Soon.line or Later.line:

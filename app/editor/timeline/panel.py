@@ -54,6 +54,8 @@ class TimelinePanel(QWidget):
             signal.connect(self._live.ask)
         self.strip.tick_wanted.connect(self.go_to)
         self.strip.pick_chosen.connect(self._choose)
+        if studio.snapshot is not None:
+            self.past.take(studio.snapshot)
 
     def _lay_out(self) -> None:
         scroll = QScrollArea()

@@ -43,6 +43,21 @@ def test_every_pick_is_taken_back_by_itself_and_the_node_put_back(hand: Hand) ->
     assert hand.studio.document.project is before
 
 
+def test_so_it_is_where_the_window_has_so_much_to_do_that_each_event_has_a_turn_of_its_own(
+    hand: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.editor.turn.is_long", lambda: True)
+    before = hand.studio.document.project
+    hand.teach("Wander", "agent-3")
+    for name in ("Forward", "RotateLeft"):
+        hand.pick(name)
+        hand.hold(2)
+    for _ in range(2):
+        hand.undo()
+        same_everywhere(hand)
+    assert hand.studio.document.project is before
+
+
 def test_a_state_that_a_pick_added_goes_with_it(hand: Hand) -> None:
     hand.teach("Wander", "agent-3")
     before = hand.automaton.states
