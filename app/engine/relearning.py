@@ -103,13 +103,6 @@ class Relearner:
         return _Work(question, self._memory, tell, cancelled).answer()
 
 
-def relearn(project: Project, scenario: Scenario) -> RelearnAnswer:
-    """The same at once, in the caller's thread."""
-    return _Work(
-        _Question(0, project, scenario), _Memory(Freshness()), lambda _share, _what: None, lambda: False
-    ).answer()
-
-
 def _broken(question: _Question, why: str) -> RelearnAnswer:
     return RelearnAnswer(question.revision, problems=(f"learning failed: {why}",))
 

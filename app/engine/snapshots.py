@@ -7,11 +7,10 @@ from functools import cached_property
 
 from ..core.amounts import counted
 from ..core.edits.examples import Recorded, record_pick, take_back_pick
-from ..core.machine import Machine
 from ..core.project import Demonstration, Project
 from ..learner.trainer import Learned, LearnedAutomaton, apply, fingerprint
 from ..sim.columns import AGENT
-from ..sim.doing import BehaviorRef, Doing, Roster, StateRef
+from ..sim.doing import BehaviorRef, Doing, StateRef
 from ..sim.engine import Columns
 from ..sim.world import FrozenWorld
 from .commands import Teach
@@ -42,7 +41,6 @@ __all__ = [
     "Watched",
     "WatchedLevel",
     "edited",
-    "views",
 ]
 
 
@@ -306,11 +304,6 @@ def edited(project: Project, edit: Edit) -> Project:
 def _fits(project: Project, where: tuple[str, str], new: LearnedAutomaton) -> bool:
     automaton = project.library(where[0]).automata.get(where[1])
     return automaton is not None and fingerprint(automaton, project.examples_of(*where)) == new.fingerprint
-
-
-def views(machine: Machine) -> Mapping[str, NodeView]:
-    """What every node of *machine* does, by id."""
-    return views_of(Roster().doing(machine.actors))
 
 
 def views_of(doing: Doing, taught: Container[str] = ()) -> Mapping[str, NodeView]:

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from heapq import nlargest
-from itertools import chain
 
 from ..core.automaton import Automaton, Basic, Content, Nested, Prune, RaiseFlag, Rule, State
 from ..core.conditions import AtMost, Condition, Equals, Guard
@@ -136,19 +135,6 @@ class AutomatonGraph:
     edges: tuple[Edge, ...]
 
 
-def graph_of(
-    automaton: Automaton, library: Library, vocabulary: Vocabulary, examples: Sequence[Example] = ()
-) -> AutomatonGraph:
-    """The graph of an automaton.
-
-    Args:
-        vocabulary: The scenario's.
-        examples: Of the automaton; what a model without a table form learned is read from them.
-    """
-    edges = (edges_from(state.id, automaton, vocabulary, examples) for state in automaton.states)
-    return graph_with(automaton, library, chain.from_iterable(edges))
-
-
 def graph_with(automaton: Automaton, library: Library, edges: Iterable[Edge]) -> AutomatonGraph:
     """The graph of an automaton whose edges are known, see `edges_from`."""
     states = tuple(_state(state, automaton, library) for state in automaton.states)
@@ -176,7 +162,12 @@ def _state(state: State, automaton: Automaton, library: Library) -> GraphState:
 def edges_from(
     source: str, automaton: Automaton, vocabulary: Vocabulary, examples: Sequence[Example] = ()
 ) -> Iterator[Edge]:
-    """The edges that leave a state; see `graph_of`."""
+    """The edges that leave a state.
+
+    Args:
+        vocabulary: The scenario's.
+        examples: Of the automaton; what a model without a table form learned is read from them.
+    """
     rules, learned = _rules(source, automaton, vocabulary), _learned(source, automaton, examples)
     for target in dict.fromkeys([*rules, *learned]):
         leaves = learned.get(target, [])

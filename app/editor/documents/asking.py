@@ -38,10 +38,6 @@ class Answer:
     tip: str = ""
 
 
-def nothing() -> None:
-    """What happens where a question is left unanswered, and nothing has to."""
-
-
 class Question(QDialog):
     """A question that stands in the way of the window until it is answered.
 

@@ -57,7 +57,9 @@ class Drafts:
         """Those that leave a state: made of all that they show, not of what other states learned, nor of a note."""
         model = automaton.learned.get(source)
         treeless = model is not None and not isinstance(model, Tree)
-        examples = self._document.project.examples_of(key.type, key.id) if treeless else ()  # see `graph_of`
+        examples = (
+            self._document.project.examples_of(key.type, key.id) if treeless else ()
+        )  # see `edges_from`
         parts = automaton.states, automaton.features, automaton.rules, automaton.prunes, automaton.settings
         scenario = self._document.scenario
         return self._leaving.of(

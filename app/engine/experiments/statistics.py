@@ -1,6 +1,5 @@
 """Means with confidence, and whether the results bear a claim out."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from math import isnan, sqrt
@@ -68,14 +67,7 @@ class Running:
         return np.asarray(student(self.count) * self.sd / sqrt(self.count), np.float64)
 
 
-def summed_up(values: Iterable[float]) -> Sample:
-    """The sample that *values* are; they are looked at one by one."""
-    running = Running()
-    for value in values:
-        running.add(np.array([value], np.float64))
-    return Sample(running.count, float(running.mean[0]), float(running.sd[0])) if running.count else NOTHING
-
-
+#: The sample that there are no numbers of.
 NOTHING = Sample(0, 0.0, 0.0)
 
 

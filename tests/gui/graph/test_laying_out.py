@@ -7,7 +7,6 @@ from PySide6.QtCore import QProcess
 from pytestqt.qtbot import QtBot
 
 from app.editor.graph.arrangement import Request, at_once
-from app.editor.graph.bench import KEY, large
 from app.editor.graph.laying_out import LayingOut
 from app.editor.graph.level import MOST_LABELED
 from app.editor.graph.panel import GraphPanel
@@ -15,6 +14,7 @@ from app.editor.studio import Studio
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import PATIENCE
 from tests.gui.graph.author import Author
+from tests.gui.graph.large import KEY, large
 
 REQUEST = Request((("start", 80.0, 36.0), ("a", 80.0, 36.0)), (("start", "a", 60.0, 28.0),))
 OTHER = Request((("start", 90.0, 36.0), ("b", 80.0, 36.0)), ())

@@ -21,9 +21,10 @@ from app.core.features import Ground, Parameter, Sense
 from app.core.project import LevelTable, Project
 from app.engine import relearning
 from app.engine.backfill import fill_values
-from app.engine.relearning import RelearnAnswer, Relearner, relearn
+from app.engine.relearning import RelearnAnswer, Relearner
 from app.learner.builder import LearningCancelled
 from app.learner.trainer import apply, is_stale, learn
+from app.sim.scenario import Scenario
 from tests.corridor import corridor
 from tests.driver import Driver
 from tests.samples import AGENT, GROUP
@@ -43,6 +44,19 @@ def taught() -> Project:
 def learned() -> Project:
     made = taught()
     return apply(made, learn(made, corridor.vocabulary))
+
+
+def relearn(project: Project, scenario: Scenario) -> RelearnAnswer:
+    """What comes of learning what is stale, waited for."""
+    ready = Event()
+    relearner = Relearner(ready.set)
+    try:
+        relearner.ask(0, project, scenario)
+        assert ready.wait(PATIENCE)
+        (answer,) = relearner.answers()
+        return answer
+    finally:
+        relearner.close()
 
 
 def used(project: Project, answer: RelearnAnswer) -> Project:

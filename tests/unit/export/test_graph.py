@@ -7,7 +7,8 @@ from app.core.conditions import AtMost, Condition, Equals
 from app.core.examples import Example
 from app.core.library import Library
 from app.core.tree import Branch, Leaf, Tree
-from app.export.graph import MOST_WAYS, Edge, StateKind, WayKind, formal_words, graph_of, way_words
+from app.export.graph import MOST_WAYS, Edge, StateKind, WayKind, formal_words, way_words
+from tests.graphs import graph_of
 from tests.samples import forage, goto, project, vocabulary, wander, when
 
 LIBRARY = project().library("agent")

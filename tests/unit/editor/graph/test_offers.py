@@ -11,7 +11,7 @@ from app.core.library import Library
 from app.editor.graph.labels import label_of, tip_of
 from app.editor.graph.offers import automata, bindings, first_test, flags, sources
 from app.editor.graph.problems import problems_of, spots
-from app.export.graph import graph_of
+from tests.graphs import graph_of
 from tests.samples import AGENT, GROUP, control, fetch, forage, goto, project, vocabulary, wander
 
 
