@@ -46,6 +46,7 @@ class ExamplesTable(QTableView):
         self.setSortingEnabled(True)
         self.sortByColumn(Column.ID, Qt.SortOrder.AscendingOrder)
         self.setShowGrid(False)
+        self.setTabKeyNavigation(False)  # arrow keys go through it, Tab goes on
         self.setWordWrap(False)
         self.setItemDelegateForColumn(Column.LABEL, LabelDelegate(model, self))
         self.setItemDelegateForColumn(Column.WEIGHT, WeightDelegate(self))

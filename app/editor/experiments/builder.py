@@ -315,6 +315,7 @@ def _table(head: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(head))
     table.setHorizontalHeaderLabels(list(head))
     table.verticalHeader().hide()
+    table.setTabKeyNavigation(False)
     table.horizontalHeader().setHighlightSections(False)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)

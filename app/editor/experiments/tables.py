@@ -108,6 +108,7 @@ def table_view(model: QAbstractItemModel, name: str, *, wrapped: bool = False) -
     view.setModel(model)
     view.setAccessibleName(name)
     view.setShowGrid(False)
+    view.setTabKeyNavigation(False)  # arrow keys go through it, Tab goes on
     view.setWordWrap(wrapped)
     view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

@@ -29,6 +29,7 @@ from ..problems.panel import ProblemsPanel
 from ..teach.panel import TeachPanel
 from ..timeline.panel import TimelinePanel
 from ..tree.panel import TreePanel
+from .tabbing import go_on
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -140,6 +141,10 @@ class Dock(QDockWidget):
         """Leave room for an edge: what floats has no frame of the system's, and lies on panels of the same color."""
         edge = 1 if floating else 0
         self.setContentsMargins(edge, edge, edge, edge)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:  # noqa: FBT001 - as Qt calls it
+        """Tab in a dock that floats stays in it."""
+        return go_on(self, forward=forward) if self.isFloating() else super().focusNextPrevChild(forward)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """See above."""

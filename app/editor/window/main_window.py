@@ -35,6 +35,7 @@ from .panel_rows import panel_rows
 from .physics import physics_rows
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
+from .tabbing import go_on
 from .toolbar import Toolbar
 
 if TYPE_CHECKING:
@@ -331,6 +332,10 @@ class MainWindow(QMainWindow):
         if self._docks_shown:
             self.studio.settings.keep("state", self.saveState(len(DOCKS)))
         self._docks_shown = False
+
+    def focusNextPrevChild(self, forward: bool) -> bool:  # noqa: FBT001 - as Qt calls it
+        """Tab goes on to the next control in sight."""
+        return go_on(self, forward=forward)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Docks get their first sizes once they are on the screen."""
