@@ -16,6 +16,8 @@ GAP = 56.0
 #: How far apart two edges between the same states bow, and how far a loop stands out.
 BOW, LOOP = 22.0, 26.0
 CLOSE = 0.5
+#: How much farther an edge may bow to go around states that stand in its way, the best first; how near it may come to them.
+AROUND, BESIDE = (0.0, 45.0, -45.0, 90.0, -90.0, 150.0, -150.0, 220.0, -220.0), 6.0
 #: Shares of an edge's way at which its words may stand, the best first.
 STANDS = (0.5, 0.36, 0.64, 0.22, 0.78)
 #: How far from an edge words stand that found no place on it.
@@ -150,18 +152,39 @@ def spread(
 # ------------------------------------------------------------------------------------------------ how edges run
 
 
-def run_between(a: Point, size_a: Size, b: Point, size_b: Size, *, bowed: bool) -> Run:
-    """An edge from the border of one box to that of another; *bowed* where another one comes back."""
+def run_between(
+    a: Point, size_a: Size, b: Point, size_b: Size, *, bow: float = 0.0, sideways: bool = False
+) -> Run:
+    """An edge from the border of one box to that of another, straight or to one side, where it leaves them *sideways*."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     length = hypot(dx, dy) or 1.0
-    bow = BOW if bowed else 0.0
     side = (-dy / length * bow, dx / length * bow)
-    start = border(a, size_a, (dx + side[0] * 2, dy + side[1] * 2))
-    end = border(b, size_b, (side[0] * 2 - dx, side[1] * 2 - dy))
+    ahead = 0.0 if sideways else 1.0
+    start = border(a, size_a, (dx * ahead + side[0] * 2, dy * ahead + side[1] * 2))
+    end = border(b, size_b, (side[0] * 2 - dx * ahead, side[1] * 2 - dy * ahead))
     first = start[0] + (end[0] - start[0]) / 3 + side[0], start[1] + (end[1] - start[1]) / 3 + side[1]
     second = start[0] + (end[0] - start[0]) / 1.5 + side[0], start[1] + (end[1] - start[1]) / 1.5 + side[1]
     points = (start, first, second, end)
     return Run(points, middle_of(points))
+
+
+def run_around(a: Point, size_a: Size, b: Point, size_b: Size, states: "Taken", *, bowed: bool) -> Run:
+    """An edge between two boxes, as straight as it can be without running through *states*.
+
+    Args:
+        bowed: Another edge comes back: both keep to their sides.
+    """
+    found: list[tuple[int, Run]] = []
+    for more in AROUND:
+        if bowed and more < 0.0:
+            continue
+        bow = more + (BOW if bowed else 0.0)
+        run = run_between(a, size_a, b, size_b, bow=bow, sideways=more != 0.0)
+        through = int(states.upon(_along(run), (BESIDE, BESIDE)).sum())
+        if through == 0:
+            return run
+        found.append((through, run))
+    return min(found, key=lambda each: each[0])[1]
 
 
 def loop_of(a: Point, size: Size, label_width: float = 0.0) -> Run:
@@ -242,6 +265,11 @@ def _looked_at(run: Run) -> list[Point]:
     return [(x, y) for x, y in np.tensordot(_WEIGHTS, pieces, axes=1).reshape(-1, 2).tolist()]
 
 
+def _along(run: Run) -> list[Point]:
+    """Many points on the way of an edge of one piece, but those where it leaves its states."""
+    return [(x, y) for x, y in (_WAY @ np.array(run.points)).tolist()]
+
+
 def _weights(share: float) -> tuple[float, float, float, float]:
     """How much each point of a cubic piece counts at a share of its way."""
     left = 1.0 - share
@@ -250,6 +278,7 @@ def _weights(share: float) -> tuple[float, float, float, float]:
 
 #: At all shares that are looked at.
 _WEIGHTS = np.array([_weights(share) for share in LOOKS])
+_WAY = np.array([_weights(k / 30) for k in range(3, 28)])
 
 
 def _on_the_way(points: Sequence[Point], share: float) -> Point:

@@ -18,7 +18,7 @@ from .arrangement import (
     loop_clear_of,
     loop_of,
     middle_of,
-    run_between,
+    run_around,
     shifted,
     spread,
 )
@@ -76,8 +76,9 @@ class Drawn:
     def rerouted(self, places: Mapping[str, Point], state: str) -> dict[tuple[str, str], Run]:
         """How the edges of one state run while it is dragged."""
         touching = [edge for edge in self.graph.edges if state in (edge.source, edge.target)]
+        states = _taken_by(places, self.sizes)
         return {
-            (e.source, e.target): _own_run(e, self.graph.edges, self.sizes, places, self.labels)
+            (e.source, e.target): _own_run(e, self.graph.edges, self.sizes, places, self.labels, states)
             for e in touching
         }
 
@@ -188,7 +189,7 @@ def _runs(
     labels: Labels,
 ) -> dict[tuple[str, str], Run]:
     """Graphviz's runs where both ends moved alike since then, our own elsewhere."""
-    found = {}
+    found, states = {}, _taken_by(places, sizes)
     for edge in graph.edges:
         key = edge.source, edge.target
         run = arrangement.runs.get(key)
@@ -197,8 +198,13 @@ def _runs(
         if run is not None and as_arranged and _same(*moved):
             found[key] = shifted(run, moved[0])
         else:
-            found[key] = _own_run(edge, graph.edges, sizes, places, labels)
+            found[key] = _own_run(edge, graph.edges, sizes, places, labels, states)
     return found
+
+
+def _taken_by(places: Mapping[str, Point], sizes: Mapping[str, Size]) -> Taken:
+    """Where states stand."""
+    return Taken((at, sizes[state]) for state, at in places.items())
 
 
 def _apart(
@@ -244,9 +250,10 @@ def _own_run(
     sizes: Mapping[str, Size],
     places: Mapping[str, Point],
     labels: Labels,
+    states: Taken,
 ) -> Run:
     source, target = edge.source, edge.target
     if source == target:
         return loop_of(places[source], sizes[source], label_size(labels[source, target])[0])
     back = any(other.source == target and other.target == source for other in edges)
-    return run_between(places[source], sizes[source], places[target], sizes[target], bowed=back)
+    return run_around(places[source], sizes[source], places[target], sizes[target], states, bowed=back)

@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
 
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
@@ -58,3 +59,20 @@ def test_edges_run_beside_the_words_of_loops(panel: GraphPanel, author: Author, 
         for key, item in edges.items():
             through = sum(words.contains(item._path.pointAtPercent(share / 100)) for share in range(101))
             assert key == loop or through < 5, (loop, key)  # where there is no room, one may graze another
+
+
+def test_edges_go_around_states_also_where_an_open_one_has_moved_them_aside(
+    panel: GraphPanel, author: Author, qtbot: QtBot
+) -> None:
+    author.show(BehaviorKey("agent", "return-with-box"))
+    closed = author.named("Goto(deposit)")
+    author.click(closed, panel.scene.states[closed].expander().center())
+    qtbot.waitUntil(lambda: len(panel.scene.levels) == 2)
+    author.settle()
+    outer = {key: item for key, item in panel.scene.edges.items() if key[0] == () and key[1] != key[2]}
+    for (_, source, target), edge in outer.items():
+        for path, state in panel.scene.states.items():
+            if len(path) == 1 and path[0] not in (source, target):
+                box = state.mapRectToScene(state.boundingRect().adjusted(6, 6, -6, -6))
+                way = [edge.mapToScene(edge._path.pointAtPercent(share / 50)) for share in range(51)]
+                assert not any(box.contains(point) for point in way), (source, target, path)

@@ -15,6 +15,7 @@ from app.editor.graph.arrangement import (
     loop_clear_of,
     loop_of,
     middle_of,
+    run_around,
     run_between,
     spread,
 )
@@ -79,9 +80,19 @@ def test_a_border_point_lies_on_the_border(toward: tuple[float, float]) -> None:
 
 
 def test_two_edges_between_the_same_states_do_not_cover_each_other() -> None:
-    there = run_between((0.0, 0.0), SIZE, (0.0, 200.0), SIZE, bowed=True)
-    back = run_between((0.0, 200.0), SIZE, (0.0, 0.0), SIZE, bowed=True)
+    there = run_around((0.0, 0.0), SIZE, (0.0, 200.0), SIZE, Taken(), bowed=True)
+    back = run_around((0.0, 200.0), SIZE, (0.0, 0.0), SIZE, Taken(), bowed=True)
     assert abs(there.label[0] - back.label[0]) > 20.0
+
+
+def test_an_edge_goes_around_a_state_that_stands_in_its_way() -> None:
+    a, b, between = (0.0, 0.0), (0.0, 300.0), (10.0, 150.0)
+    assert run_around(a, SIZE, b, SIZE, Taken([(a, SIZE), (b, SIZE)]), bowed=False).label[0] == 0.0
+    states = Taken([(a, SIZE), (b, SIZE), (between, SIZE)])
+    for bowed in (False, True):
+        x, y = run_around(a, SIZE, b, SIZE, states, bowed=bowed).label
+        assert abs(x - between[0]) > SIZE[0] / 2, bowed
+        assert y == pytest.approx(150.0)
 
 
 def test_a_loop_begins_and_ends_at_its_state() -> None:
@@ -128,7 +139,7 @@ def test_words_of_a_loop_stand_beside_what_else_comes_to_its_state() -> None:
 
 
 def test_words_at_an_edge_make_room_for_what_is_there() -> None:
-    run, size = run_between((0.0, 0.0), SIZE, (0.0, 300.0), SIZE, bowed=False), (60.0, 28.0)
+    run, size = run_between((0.0, 0.0), SIZE, (0.0, 300.0), SIZE), (60.0, 28.0)
     assert clear_of(run, size, Taken()).label == pytest.approx(middle_of(run.points))
     x, y = clear_of(run, size, Taken([(run.label, size)])).label
     assert (x, abs(y - run.label[1]) >= 28.0) == (0.0, True)
