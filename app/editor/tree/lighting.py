@@ -78,9 +78,13 @@ class Lighting:
         ends = [] if subject is None or subject.tree is None else leaves(subject.tree, self.traced)
         return ends[0] if len(ends) == 1 else 0
 
-    def keys(self, subject: Subject) -> Collection[Key]:
-        """What is to be lit now."""
-        if self.traced:
+    def keys(self, subject: Subject, *, follows: bool) -> Collection[Key]:
+        """What is to be lit now.
+
+        Args:
+            follows: The node is followed, whatever examples are still chosen.
+        """
+        if self.traced and not follows:
             self.words = self._traced_words
             return self.traced
         level, self.words = self.level(subject), ""

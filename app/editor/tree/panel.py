@@ -262,7 +262,7 @@ class TreePanel(QWidget):
         """Light the path of the chosen examples, or of what the selected node decides now, and say whose it is."""
         subject = self.subject
         if subject is not None and subject.tree is not None:
-            self.scene.light(self._lighting.keys(subject))
+            self.scene.light(self._lighting.keys(subject, follows=self.following.on))
         elif subject is not None and isinstance(subject.model, Refit):
             self._message.setText(self._explanation())
         has_tree = subject is not None and subject.tree is not None

@@ -11,6 +11,8 @@ from app.core.automaton import START
 from app.core.conditions import Equals
 from app.core.edits import disable_examples, set_learned
 from app.core.tree import Branch, Leaf, Tree
+from app.editor.examples.model import Column
+from app.editor.examples.panel import ExamplesPanel
 from app.editor.graph.panel import GraphPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
@@ -182,6 +184,48 @@ def test_an_example_goes_before_the_agent_that_is_followed(
     assert not panel.follow.isChecked()
     studio.selection.select_examples(())
     qtbot.waitUntil(lambda: not panel.view.told.text())
+
+
+def test_a_click_on_a_row_of_the_examples_shows_its_tree_and_marks_its_state_in_the_graph(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    tree, graph, table = (window.docks[name].widget() for name in ("tree", "graph", "examples"))
+    assert isinstance(tree, TreePanel)
+    assert isinstance(graph, GraphPanel)
+    assert isinstance(table, ExamplesPanel)
+    for name in ("graph", "tree"):
+        window.docks[name].setFloating(True)
+    studio.selection.select_behavior(FORAGE)
+    qtbot.waitUntil(lambda: shown(tree) == START and table.model.row_of(of_state(studio, "wander")[0]) >= 0)
+    index = table.model.index(table.model.row_of(of_state(studio, "wander")[0]), Column.WORDS)
+    table.table.scrollTo(index)
+    qtbot.mouseClick(table.table.viewport(), LEFT, pos=table.table.visualRect(index).center())
+    qtbot.waitUntil(lambda: shown(tree) == "wander" and tree.view.told.text().startswith("lit: example"))
+    assert graph.scene.current == ("wander",)
+
+
+def test_what_a_pick_recorded_in_two_states_shows_the_one_that_was_left(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    left, stays = of_state(studio, "wander")[0], of_state(studio, "return-with-box")[0]
+    studio.selection.select_behavior(FORAGE)  # as the timeline does, which knows of no state
+    studio.selection.select_examples((left, stays))
+    qtbot.waitUntil(lambda: panel.view.told.text() == f"lit: example {left}")
+    assert shown(panel) == "wander"
+
+
+def test_who_is_followed_goes_before_examples_that_are_still_chosen(
+    panel: TreePanel, studio: Studio, qtbot: QtBot
+) -> None:
+    select_agent(studio)
+    studio.bridge.send(Step())
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
+    studio.selection.select_examples(of_state(studio, "wander"))
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: 5 examples")
+    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
+    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.waitUntil(lambda: panel.view.told.text() == "lit: 5 examples")
 
 
 def test_examples_of_the_state_that_is_shown_do_not_turn_the_tree(
