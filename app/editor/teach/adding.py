@@ -114,7 +114,7 @@ def _item(choice: Choice, color: QColor | None) -> QListWidgetItem:
     key = f"  [{choice.key}]" if choice.key else ""
     item = QListWidgetItem(f"{name}{key}   {' · '.join(told)}")
     item.setData(Qt.ItemDataRole.UserRole, choice)
-    item.setToolTip(choice.doc)
+    item.setToolTip(f"{name}\n{choice.doc}".strip())  # the list may have no room for the name
     item.setSizeHint(QSize(0, 26))
     if color is not None:
         item.setIcon(swatch(color))
