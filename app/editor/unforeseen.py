@@ -1,5 +1,6 @@
 """Exceptions that nobody caught, told in the window: Qt calls our code and goes on when that fails, and nobody would know."""
 
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -9,11 +10,16 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from ..engine import crashes
 
+#: What PySide puts before the words of an error that came through Qt into our code again.
+_PASSED_THROUGH = re.compile(r"(Error calling Python override of \S+: )+")
+
 
 class Unforeseen(QObject):
     """Hears of what fails in slots, events, painting and models, wherever Qt calls our code in the window's thread.
 
-    What fails at the same place again is told but once: what cannot be painted fails sixty times a second.
+    What fails at the same place again is told but once: what cannot be painted fails sixty times a second. In the terminal
+    PySide says each time where Qt had called, past Python and so past us; to keep that back would be to keep back all that
+    Qt and the system write there.
 
     Signals:
         came: What failed, for the user to read.
@@ -52,7 +58,8 @@ class Unforeseen(QObject):
 
     def _tell(self, error: BaseException) -> None:
         kept = self._keep(error)
-        words = f"something in the program failed, and it went on without: {type(error).__name__}: {error}."
+        what = f"{type(error).__name__}: {_PASSED_THROUGH.sub('', str(error))}"
+        words = f"something in the program failed, and it went on without: {what}."
         report = f" Please report it, with what is in {kept}." if kept is not None else " Please report it."
         self.came.emit(f"{words} Your project can be saved as ever.{report}")
 

@@ -67,8 +67,20 @@ def failing_button() -> QWidget:
     return button
 
 
+def failing_through_qt() -> QWidget:
+    """Fails in our code that Qt calls when our code calls Qt."""
+    unpaintable = Unpaintable()
+
+    def fail() -> None:
+        unpaintable.grab()
+
+    button = QPushButton("Fail")
+    button.clicked.connect(fail)
+    return button
+
+
 @pytest.mark.qt_no_exception_capture
-@pytest.mark.parametrize("make", [failing_list, failing_widget, failing_button])
+@pytest.mark.parametrize("make", [failing_list, failing_widget, failing_button, failing_through_qt])
 def test_what_fails_is_told_once_and_the_window_goes_on(
     make: Callable[[], QWidget],
     window: MainWindow,
@@ -90,6 +102,7 @@ def test_what_fails_is_told_once_and_the_window_goes_on(
     part.hide()
     assert len(told) == 1
     assert "something in the program failed, and it went on without" in told[0]
+    assert "override" not in told[0]  # of what, nobody asked
     assert str(tmp_path / "crash.txt") in told[0]
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow, timeout=PATIENCE)
