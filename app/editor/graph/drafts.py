@@ -56,10 +56,8 @@ class Drafts:
     def _edges(self, key: BehaviorKey, automaton: Automaton, source: str) -> tuple[Edge, ...]:
         """Those that leave a state: made of all that they show, not of what other states learned, nor of a note."""
         model = automaton.learned.get(source)
-        treeless = model is not None and not isinstance(model, Tree)
-        examples = (
-            self._document.project.examples_of(key.type, key.id) if treeless else ()
-        )  # see `edges_from`
+        treeless = model is not None and not isinstance(model, Tree)  # see `edges_from`
+        examples = self._document.project.examples_of(key.type, key.id) if treeless else ()
         parts = automaton.states, automaton.features, automaton.rules, automaton.prunes, automaton.settings
         scenario = self._document.scenario
         return self._leaving.of(
