@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from .background import Job
     from .files import Files
 
+#: The scenario, and what was autosaved, if that is wanted, or why it cannot be read.
+Ready = tuple[Scenario, Project | UnderstudyError | None]
+
 
 @dataclass(frozen=True, slots=True)
 class Wish:
@@ -102,6 +105,14 @@ def _code(project: Project | None, folder: Path) -> str:
         return (folder / OWN_CODE).read_text(encoding="utf-8", errors="replace") or " "
     except OSError as error:
         return f"# cannot be read: {error.strerror}"
+
+
+def _recovered(kept: Autosave | None) -> Project | UnderstudyError | None:
+    """What was autosaved, or why that cannot be read."""
+    try:
+        return None if kept is None else kept.project()
+    except UnderstudyError as error:
+        return error
 
 
 class Opening:
@@ -208,25 +219,45 @@ class Opening:
             look="backup-restore",
         )
 
+    def _ask_without(self, wish: Wish, found: Found, error: UnderstudyError) -> None:
+        """What was autosaved is damaged, which says nothing of the project."""
+        as_saved = replace(wish, recover=False), replace(found, kept=None)
+        self._files.waiting.emit("")
+        self._files.ask(
+            "What was autosaved cannot be read",
+            f"The project in {wish.folder} can be opened as it was saved. What was autosaved stays in {found.private} "
+            "until something else is saved or autosaved.",
+            (
+                Answer("Open as it was saved", lambda: self._found(*as_saved)),
+                self._again(wish),
+                Answer("Cancel", lambda: self._give_up(found)),
+            ),
+            str(error),
+            "alert-circle-outline",
+        )
+
     # ---------------------------------------------------------------------------------------------- going on
 
     def _go_on(self, wish: Wish, found: Found) -> None:
         project, files = found.project, self._files
         assert project is not None
 
-        def ready() -> tuple[Scenario, Project | None]:
+        def ready() -> Ready:
             scenario = open_scenario(project, wish.folder.resolve(), trust=wish.trust)
-            return scenario, found.kept.project() if found.kept is not None and wish.recover else None
+            return scenario, _recovered(found.kept) if wish.recover else None
 
         files.waiting.emit(f"Opening {wish.folder.name}…")
         self._job = files.background.do(
             ready, partial(self._ready, wish, found), partial(self._unsound, wish, found)
         )
 
-    def _ready(self, wish: Wish, found: Found, result: tuple[Scenario, Project | None]) -> None:
+    def _ready(self, wish: Wish, found: Found, result: Ready) -> None:
         self._job = None
         scenario, recovered = result
         assert found.project is not None
+        if isinstance(recovered, UnderstudyError):
+            self._ask_without(wish, found, recovered)
+            return
         folder, files = wish.folder.resolve(), self._files
         private = found.private if found.claimed else unnamed_folder(files.state, files.owner.token)
         held = Held(

@@ -145,6 +145,25 @@ def test_of_a_damaged_project_the_autosave_can_be_opened_instead(
     assert desk.isWindowModified()
 
 
+def test_of_a_damaged_autosave_it_is_said_and_the_project_opens_as_it_was_saved(
+    desk: MainWindow, qtbot: QtBot, folder: Path, small: Project
+) -> None:
+    ours = claims.new_owner()
+    gone = Owner(2**22 + 1, ours.host, "1", ours.since, "gone")
+    autosaves.write(folder / NAME, note_project(small, "kept"), folder, gone, None)
+    damaged = folder / NAME / "autosave" / "project.json"
+    damaged.write_text("{", encoding="utf-8")
+    desk.files.open(folder)
+    answer(desk, qtbot, "Recover")
+    asked = question(desk, qtbot)
+    assert asked.windowTitle() == "What was autosaved cannot be read"  # the project was said to be damaged
+    assert asked.details is not None
+    assert str(damaged) in asked.details.toPlainText()
+    answer(desk, qtbot, "Open as it was saved")
+    qtbot.waitUntil(lambda: desk.studio.document.folder == folder, timeout=PATIENCE)
+    assert damaged.exists()
+
+
 def test_unsaved_work_is_autosaved_by_itself_every_so_many_seconds(
     desk: MainWindow, qtbot: QtBot, folder: Path, settings: Settings
 ) -> None:
