@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
-    QButtonGroup,
     QComboBox,
     QHBoxLayout,
     QLabel,
@@ -51,10 +50,7 @@ class ModeSwitch(QWidget):
         layout.setSpacing(0)
         self.teach = self._button("teach.teach", "left")
         self.test = self._button("teach.test", "right")
-        group = QButtonGroup(self)
-        group.setExclusive(False)
         for button in (self.teach, self.test):
-            group.addButton(button)
             layout.addWidget(button)
         studio.theme.changed.connect(self._dress)
         studio.bridge.mode_changed.connect(self._dress)

@@ -57,7 +57,8 @@ def test_it_comes_to_every_control_in_sight_and_round_again(
     have_done_what_is_due()
     met = round_trip(window, window.canvas, key, qtbot)
     assert len(met) == len(set(met))
-    assert {window.toolbar.seed, window.toolbar.slider} <= set(met)
+    bar = window.toolbar
+    assert {bar.mode.teach, bar.mode.test, bar.slider, bar.seed} <= set(met)
     library, agents, idle = panel(window, LibraryPanel), panel(window, AgentsPanel), panel(window, IdlePage)
     assert {library.filter, library.tree, agents.filter, agents.tree, panel(window, GraphView)} <= set(met)
     assert {idle.teach, idle.filed, idle.keep} <= set(met)
