@@ -23,10 +23,11 @@ class Selection(QObject):
         nodes: Ids of agents and controllers in the order of selecting; the last is the one that panels show.
         behavior: The automaton that graph, tree, examples and teach panel show.
         state: The state of that automaton whose decisions are shown; Start unless another was chosen.
+        goal: Where the transition leads that is selected, which leaves that state; empty if none is.
         examples: Ids of examples of that automaton.
 
     Signals:
-        nodes_changed, behavior_changed, state_changed, examples_changed: It is another one now.
+        nodes_changed, behavior_changed, state_changed, goal_changed, examples_changed: It is another one now.
         state_chosen: Somebody wants to see the decisions of a state, which may be the one that is shown already.
     """
 
@@ -34,6 +35,7 @@ class Selection(QObject):
     behavior_changed = Signal()
     state_changed = Signal()
     state_chosen = Signal()
+    goal_changed = Signal()
     examples_changed = Signal()
 
     def __init__(self) -> None:
@@ -41,6 +43,7 @@ class Selection(QObject):
         self.nodes: tuple[str, ...] = ()
         self.behavior: BehaviorKey | None = None
         self.state = START
+        self.goal = ""
         self.examples: tuple[str, ...] = ()
 
     @property
@@ -65,6 +68,7 @@ class Selection(QObject):
         if behavior != self.behavior:
             self.behavior, self.state = behavior, state or START
             self.select_examples(())
+            self.select_goal("")
             self.behavior_changed.emit()
             self.state_changed.emit()
         else:
@@ -81,7 +85,14 @@ class Selection(QObject):
         """The same where nobody has asked for it, as when the one that was shown is gone."""
         if state != self.state:
             self.state = state
+            self.select_goal("")
             self.state_changed.emit()
+
+    def select_goal(self, goal: str) -> None:
+        """Select the transition from the state that is shown to this one; none if it is empty."""
+        if goal != self.goal:
+            self.goal = goal
+            self.goal_changed.emit()
 
     def select_examples(self, examples: Iterable[str]) -> None:
         """Select these examples of the automaton shown."""

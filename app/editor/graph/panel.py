@@ -225,18 +225,19 @@ class GraphPanel(QWidget):
 
     def _marked(self) -> None:
         """What was selected here is what all panels show."""
-        path = self.scene.deciding
+        path, selection = self.scene.deciding, self.studio.selection
         if path is None:
+            selection.select_goal("")
             self.close_form()
             return
         key, state = self.scene.key_of(path)
-        selection = self.studio.selection
         if (key, state) != (selection.behavior, selection.state):
             self._selecting = True
             try:
                 selection.select_behavior(key, state)
             finally:
                 self._selecting = False
+        selection.select_goal(self.scene.edge[2] if self.scene.edge is not None else "")
         self._show_form()
         self.studio.touch()
 

@@ -1,4 +1,4 @@
-"""Which path of the tree is lit: that of examples that were chosen, or else that of what the selected node decides now."""
+"""Which path of the tree is lit: of what was chosen elsewhere, or else that of what the selected node decides now."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...core.automaton import Refit
 from ...core.phrasing import number
 from ...core.wording import node_words
 from .reaching import passed
-from .shape import Key, leaves, lit
+from .shape import Key, leading_to, leaves, lit
 
 if TYPE_CHECKING:
     from ...core.examples import Example
@@ -23,7 +23,8 @@ class Lighting:
     """Finds the nodes of a tree that are to be lit, and says whose path it is.
 
     Attributes:
-        traced: Where the chosen examples pass; empty if none was chosen, or those that reach a node of the tree were.
+        traced: Where the chosen examples pass, or else the ways to where the selected transition leads; empty if nothing was
+            chosen, or the examples that reach a node of the tree.
         words: Whose path is lit; empty if none is.
     """
 
@@ -41,28 +42,32 @@ class Lighting:
         self._reached = examples
 
     @property
-    def is_asked(self) -> bool:
+    def has_examples(self) -> bool:
         """Whether examples are chosen that the tree did not choose itself."""
         chosen = self._studio.selection.examples
         return bool(chosen) and chosen != self._reached
 
     def trace(self, subject: Subject | None) -> bool:
         """Find where the chosen examples pass, once for each choice; whether it is somewhere else now."""
-        of = (subject, self._studio.selection.examples)
+        selection = self._studio.selection
+        of = (subject, selection.examples, selection.goal)
         if len(self._of) == len(of) and all(a is b for a, b in zip(of, self._of, strict=True)):
             return False
         self._of, before = of, self.traced
-        examples = self._chosen(subject) if subject is not None and subject.tree is not None else []
-        if subject is None or subject.tree is None or not examples:
-            self.traced, self._traced_words = frozenset(), ""
-        else:
+        self.traced, self._traced_words = frozenset(), ""
+        if subject is None or subject.tree is None:
+            return self.traced != before
+        if examples := self._chosen(subject):
             self.traced = passed(subject.tree, examples)
             named = f"example {examples[0].id}" if len(examples) == 1 else counted(len(examples), "example")
             self._traced_words = f"lit: {named}"
+        elif selection.goal and selection.state == subject.state:
+            self.traced = leading_to(subject.tree, selection.goal)
+            self._traced_words = f"lit: the way to {subject.name(selection.goal)}"
         return self.traced != before
 
     def _chosen(self, subject: Subject) -> list[Example]:
-        if not self.is_asked:
+        if not self.has_examples:
             return []
         chosen, tested = set(self._studio.selection.examples), [use.id for use in subject.automaton.features]
         return [
@@ -74,7 +79,7 @@ class Lighting:
         ]
 
     def end(self, subject: Subject | None) -> Key:
-        """The leaf in which all chosen examples end; 0 if there is none, or several."""
+        """The leaf in which all that was traced ends; 0 if there is none, or several."""
         ends = [] if subject is None or subject.tree is None else leaves(subject.tree, self.traced)
         return ends[0] if len(ends) == 1 else 0
 

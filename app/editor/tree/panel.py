@@ -5,16 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
     QLabel,
     QMenu,
-    QSpinBox,
     QStackedLayout,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -23,9 +19,9 @@ from ...core.automaton import Cut, Refit
 from ...core.conditions import AtMost, InArc
 from ...core.cuts import with_cuts
 from ...learner.registry import METHODS
-from ..number_box import roomy
 from ..soon import Later, Soon
 from .following import Following
+from .header import Header
 from .lighting import Lighting
 from .menus import node_menu
 from .previewing import Previewing
@@ -56,7 +52,7 @@ class TreePanel(QWidget):
         subject: What is shown; None without a behavior.
         following: Whether the tree turns to the state that the selected node is in.
         scene, view: The tree, and what it is seen through.
-        which: Chooses a tree of a forest.
+        header: Chooses a state, and a tree of a forest.
 
     Signals:
         title_changed: The dock is to be called otherwise.
@@ -85,10 +81,6 @@ class TreePanel(QWidget):
         self._live = Later(self, self._light, LIVE)
         self.following = Following(studio, self._may_turn)
         self._lighting = Lighting(studio)
-        self._listed: tuple[object, object] = (
-            None,
-            None,
-        )  # the automaton and library whose states can be chosen
         studio.actions.add(tree_rows(self))
         self._build()
         self._connect()
@@ -99,27 +91,7 @@ class TreePanel(QWidget):
         return self._message.text()
 
     def _build(self) -> None:
-        self._states = QComboBox()
-        self._states.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self._states.setMinimumContentsLength(8)
-        self._states.setAccessibleName("State whose decisions are shown")
-        self._states.setToolTip("The state whose decisions are shown")
-        self.which = roomy(QSpinBox())
-        self.which.setPrefix("tree ")
-        self.which.setAccessibleName("Tree of the forest")
-        self.which.setToolTip("Which tree of the forest is shown")
-        self.which.hide()  # until there is one: the panel begins no wider than it has to
-        top = QHBoxLayout()
-        top.setContentsMargins(8, 4, 8, 0)
-        top.addWidget(QLabel("from"))
-        top.addWidget(self._states, 1)
-        top.addWidget(self.which)
-        self.follow = self._button("tree.follow")
-        self.follow.setProperty("flat", "false")  # whether it is on has to be seen
-        self.follow.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.follow.defaultAction().setIconText("Follow")
-        top.addWidget(self.follow)
-        top.addWidget(self._button("tree.fit"))
+        self.header = Header(self.studio.actions)
         self._message = QLabel()
         self._message.setProperty("role", "empty")
         self._message.setWordWrap(True)
@@ -131,18 +103,11 @@ class TreePanel(QWidget):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(4)
-        self._column.addLayout(top)
+        self._column.addWidget(self.header)
         self._column.addWidget(self.rules)
         self._column.addLayout(self._pages, 1)
         self._column.addWidget(self.tools)
         self.setFocusProxy(self.view)
-
-    def _button(self, action: str) -> QToolButton:
-        button = QToolButton()
-        button.setProperty("flat", "true")
-        button.setDefaultAction(self.studio.actions[action])
-        button.setAccessibleName(self.studio.actions.rows[action].text)
-        return button
 
     def _connect(self) -> None:
         studio = self.studio
@@ -153,13 +118,12 @@ class TreePanel(QWidget):
         studio.selection.state_changed.connect(self.touch)
         studio.selection.state_chosen.connect(self.following.stop)
         studio.selection.examples_changed.connect(self._examples_chosen)
+        studio.selection.goal_changed.connect(self._transition_chosen)
         self.following.changed.connect(self._turned)
         studio.selection.nodes_changed.connect(self._live_soon)
         studio.bridge.snapshot_changed.connect(self._live_soon)
-        self._states.activated.connect(
-            lambda place: studio.selection.select_state(self._states.itemData(place))
-        )
-        self.which.valueChanged.connect(lambda _: self.touch())
+        self.header.chosen.connect(studio.selection.select_state)
+        self.header.which.valueChanged.connect(lambda _: self.touch())
         self.view.chosen.connect(self.choose)
         self.view.toggled.connect(self._toggle)
         self.rules.taken.connect(self._stay)
@@ -197,9 +161,8 @@ class TreePanel(QWidget):
 
     def refresh(self) -> None:
         """Show everything as it is now."""
-        with QSignalBlocker(self.which):
-            self.which.setRange(1, self._subjects.trees(self.state))
-        made_of = (*self._subjects.made_of(self.state), self.which.value())
+        self.header.offer_trees(self._subjects.trees(self.state))
+        made_of = (*self._subjects.made_of(self.state), self.header.which.value())
         if len(made_of) == len(self._shown) and all(
             _same(a, b) for a, b in zip(made_of, self._shown, strict=True)
         ):
@@ -207,7 +170,7 @@ class TreePanel(QWidget):
             return
         other = made_of[:2] != self._place
         self._shown, self._place = made_of, made_of[:2]
-        self._show(self._subjects.of(self.state, self.which.value()), other=other)
+        self._show(self._subjects.of(self.state, self.header.which.value()), other=other)
 
     def _show(self, subject: Subject | None, *, other: bool) -> None:
         before, self.subject = self._possible(), subject
@@ -215,8 +178,7 @@ class TreePanel(QWidget):
             self.previewing.forget()
             self.scene.forget_opened()
             self.view.is_fitted = True
-        self._show_states(subject)
-        self.which.setVisible(subject is not None and subject.trees > 1)
+        self.header.show_subject(subject, self.state)
         self.rules.show_subject(subject)
         self.scene.build(self.previewing.shown(subject))
         self._show_tools()
@@ -236,17 +198,6 @@ class TreePanel(QWidget):
         subject = self.subject
         return subject is not None, subject is not None and subject.tree is not None, self.scene.chosen
 
-    def _show_states(self, subject: Subject | None) -> None:
-        with QSignalBlocker(self._states):
-            if subject is None:
-                self._states.clear()
-            elif self._listed[0] is not subject.automaton or self._listed[1] is not subject.library:
-                self._states.clear()
-                for state in subject.automaton.states:
-                    self._states.addItem(subject.name(state.id), state.id)
-            self._listed = (None, None) if subject is None else (subject.automaton, subject.library)
-            self._states.setCurrentIndex(self._states.findData(self.state))
-
     def _explanation(self) -> str:
         """Why there is no tree, what to do, and what a model without one says now."""
         told = f"{treeless_words(self.subject)} {self._lighting.outcome_words(self.subject)}".strip()
@@ -259,7 +210,7 @@ class TreePanel(QWidget):
             self._live.ask()
 
     def _light(self) -> None:
-        """Light the path of the chosen examples, or of what the selected node decides now, and say whose it is."""
+        """Light the path of what was chosen elsewhere, or of what the selected node decides now, and say whose it is."""
         subject = self.subject
         if subject is not None and subject.tree is not None:
             self.scene.light(self._lighting.keys(subject, follows=self.following.on))
@@ -286,7 +237,7 @@ class TreePanel(QWidget):
 
     def _may_turn(self) -> bool:
         """Whether somebody looks, who is not just choosing a state."""
-        return self.isVisible() and not self._states.view().isVisible()
+        return self.isVisible() and not self.header.is_choosing
 
     def _turned(self) -> None:
         """Another state is followed, or none any more."""
@@ -301,7 +252,13 @@ class TreePanel(QWidget):
 
     def _examples_chosen(self) -> None:
         """Show where they end, unless it was the tree that chose them; of its state the selection sees to it."""
-        if self._lighting.is_asked:
+        if self._lighting.has_examples:
+            self.following.stop()
+        self.touch()
+
+    def _transition_chosen(self) -> None:
+        """Show where the tree decides for it."""
+        if self.studio.selection.goal:
             self.following.stop()
         self.touch()
 

@@ -129,6 +129,20 @@ def leaves(tree: Tree, keys: Collection[Key]) -> list[Key]:
     ]
 
 
+def leading_to(tree: Tree, label: str) -> frozenset[Key]:
+    """The nodes on the way to leaves that lead to a state, perhaps among others."""
+    place = tree.labels.index(label) if label in tree.labels else len(tree.labels)
+    found: set[Key] = set()
+    stack: list[tuple[Key, TreeNode]] = [(ROOT, tree.root)]
+    while stack:
+        key, node = stack.pop()
+        if isinstance(node, Branch):
+            stack += ((2 * key + 1, node.yes), (2 * key, node.no))
+        elif any(count > 0.0 for count in node.counts[place : place + 1]):
+            found.update(key >> up for up in range(key.bit_length()))
+    return frozenset(found)
+
+
 def below(tree: Tree, key: Key, levels: int = LEVELS) -> set[Key]:
     """A node and the branches under it, so many levels down: what is opened together."""
     found: set[Key] = set()

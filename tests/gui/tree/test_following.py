@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START
@@ -22,6 +21,7 @@ from app.editor.tree.subject import Subject
 from app.editor.window.main_window import MainWindow
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
+from tests.gui.graph.author import Author
 from tests.patient_bot import have_done_what_is_due
 
 LEFT = Qt.MouseButton.LeftButton
@@ -40,8 +40,8 @@ def select_agent(studio: Studio) -> None:
 def follow(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     """Select an agent and follow it: before the first tick it is in Start."""
     select_agent(studio)
-    qtbot.mouseClick(panel.follow, LEFT)
-    assert panel.follow.isChecked()
+    qtbot.mouseClick(panel.header.follow, LEFT)
+    assert panel.header.follow.isChecked()
     qtbot.waitUntil(lambda: shown(panel) == START)
 
 
@@ -51,7 +51,7 @@ def test_a_tree_stays_where_it_is_unless_it_is_to_follow(
     select_agent(studio)
     studio.bridge.send(Step())
     qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
-    assert not panel.follow.isChecked()
+    assert not panel.header.follow.isChecked()
     assert shown(panel) == "wander"
 
 
@@ -62,9 +62,7 @@ def test_a_tree_that_follows_turns_to_the_state_of_the_selected_agent(
     studio.bridge.send(Step())
     qtbot.waitUntil(lambda: shown(panel) == "wander")
     qtbot.waitUntil(lambda: panel.scene.is_lit(1))
-    states = panel.findChild(QComboBox)
-    assert isinstance(states, QComboBox)
-    assert states.currentText() == "Wander"
+    assert panel.header.states.currentText() == "Wander"
 
 
 def test_a_tree_that_follows_is_built_once_for_each_state(
@@ -89,13 +87,11 @@ def test_a_tree_that_follows_is_built_once_for_each_state(
 
 def test_choosing_a_state_ends_following(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     follow(panel, studio, qtbot)
-    states = panel.findChild(QComboBox)
-    assert isinstance(states, QComboBox)
-    states.setFocus()
-    qtbot.keyClick(states, Qt.Key.Key_Down)
-    qtbot.keyClick(states, Qt.Key.Key_Down)
+    panel.header.states.setFocus()
+    qtbot.keyClick(panel.header.states, Qt.Key.Key_Down)
+    qtbot.keyClick(panel.header.states, Qt.Key.Key_Down)
     qtbot.waitUntil(lambda: shown(panel) == "return-with-box")
-    assert not panel.follow.isChecked()
+    assert not panel.header.follow.isChecked()
 
 
 def test_choosing_the_state_that_is_marked_in_the_graph_ends_following_too(
@@ -113,14 +109,14 @@ def test_choosing_the_state_that_is_marked_in_the_graph_ends_following_too(
     place = graph.view.mapFromScene(graph.scene.states["wander",].scenePos())
     qtbot.mouseClick(graph.view.viewport(), LEFT, pos=place)
     qtbot.waitUntil(lambda: shown(tree) == "wander")
-    assert not tree.follow.isChecked()
+    assert not tree.header.follow.isChecked()
 
 
 def test_work_on_the_tree_ends_following_where_it_is(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     follow(panel, studio, qtbot)
     place = panel.view.mapFromScene(panel.scene.nodes[1].scenePos())
     qtbot.mouseClick(panel.view.viewport(), LEFT, pos=place)
-    assert not panel.follow.isChecked()
+    assert not panel.header.follow.isChecked()
     assert studio.selection.state == START
     assert panel.scene.chosen == 1
 
@@ -128,16 +124,16 @@ def test_work_on_the_tree_ends_following_where_it_is(panel: TreePanel, studio: S
 def test_following_ends_where_the_rules_are_edited(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     studio.selection.select_behavior(BehaviorKey("authored-agent", "goto"), "forward")
     qtbot.waitUntil(lambda: panel.rules.count() == 5)
-    qtbot.mouseClick(panel.follow, LEFT)
-    assert panel.follow.isChecked()
+    qtbot.mouseClick(panel.header.follow, LEFT)
+    assert panel.header.follow.isChecked()
     qtbot.mouseClick(
         panel.rules.viewport(), LEFT, pos=panel.rules.visualItemRect(panel.rules.item(0)).center()
     )
-    assert not panel.follow.isChecked()
+    assert not panel.header.follow.isChecked()
 
 
 def test_it_is_said_whom_to_select_to_follow(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
-    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.mouseClick(panel.header.follow, LEFT)
     qtbot.waitUntil(lambda: panel.view.told.text() == "Select an agent to follow it")
     select_agent(studio)
     studio.selection.select_behavior(BehaviorKey("agent", "let-go"))
@@ -145,12 +141,12 @@ def test_it_is_said_whom_to_select_to_follow(panel: TreePanel, studio: Studio, q
 
 
 def test_whether_the_tree_follows_is_remembered(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
-    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.mouseClick(panel.header.follow, LEFT)
     studio.actions.clear()
     later = TreePanel(studio)
     qtbot.addWidget(later)
     assert later.following.on
-    assert later.follow.isChecked()
+    assert later.header.follow.isChecked()
 
 
 # ----------------------------------------------------------------------------------------------- of examples
@@ -181,7 +177,7 @@ def test_an_example_goes_before_the_agent_that_is_followed(
     follow(panel, studio, qtbot)
     studio.selection.select_examples(of_state(studio, "return-with-box")[:1])
     qtbot.waitUntil(lambda: shown(panel) == "return-with-box")
-    assert not panel.follow.isChecked()
+    assert not panel.header.follow.isChecked()
     studio.selection.select_examples(())
     qtbot.waitUntil(lambda: not panel.view.told.text())
 
@@ -204,6 +200,26 @@ def test_a_click_on_a_row_of_the_examples_shows_its_tree_and_marks_its_state_in_
     assert graph.scene.current == ("wander",)
 
 
+def test_a_transition_that_is_selected_in_the_graph_lights_the_way_to_its_leaves(
+    window: MainWindow, studio: Studio, qtbot: QtBot
+) -> None:
+    tree, graph = (window.docks[name].widget() for name in ("tree", "graph"))
+    assert isinstance(tree, TreePanel)
+    assert isinstance(graph, GraphPanel)
+    for name in ("graph", "tree"):
+        window.docks[name].setFloating(True)
+    studio.selection.select_behavior(FORAGE)
+    qtbot.waitUntil(lambda: graph.scene.is_settled and shown(tree) == START)
+    author = Author(graph, qtbot)
+    author.click_edge("wander", "return-with-box")
+    qtbot.waitUntil(lambda: tree.view.told.text() == "lit: the way to ReturnWithBox")
+    assert shown(tree) == "wander"
+    assert [tree.scene.is_lit(key) for key in (1, 2, 3)] == [True, False, True]
+    author.click(("wander",))
+    qtbot.waitUntil(lambda: not tree.view.told.text())
+    assert not tree.scene.is_lit(1)
+
+
 def test_what_a_pick_recorded_in_two_states_shows_the_one_that_was_left(
     panel: TreePanel, studio: Studio, qtbot: QtBot
 ) -> None:
@@ -222,9 +238,9 @@ def test_who_is_followed_goes_before_examples_that_are_still_chosen(
     qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
     studio.selection.select_examples(of_state(studio, "wander"))
     qtbot.waitUntil(lambda: panel.view.told.text() == "lit: 5 examples")
-    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.mouseClick(panel.header.follow, LEFT)
     qtbot.waitUntil(lambda: panel.view.told.text() == "lit: Agent 1, now")
-    qtbot.mouseClick(panel.follow, LEFT)
+    qtbot.mouseClick(panel.header.follow, LEFT)
     qtbot.waitUntil(lambda: panel.view.told.text() == "lit: 5 examples")
 
 

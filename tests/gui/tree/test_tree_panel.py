@@ -152,9 +152,9 @@ def test_of_a_forest_one_tree_is_chosen(panel: TreePanel, studio: Studio, qtbot:
     other = replace(other, labels=tree.labels)
     with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
         learned(studio, Forest(tree.labels, (tree, other)))
-    assert panel.which.isVisible()
+    assert panel.header.which.isVisible()
     with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
-        qtbot.keyClick(panel.which, Qt.Key.Key_Up)
+        qtbot.keyClick(panel.header.which, Qt.Key.Key_Up)
     assert panel.subject is not None
     assert panel.subject.tree is other
 

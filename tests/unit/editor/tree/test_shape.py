@@ -4,7 +4,19 @@ from app.core.conditions import AtMost
 from app.core.examples import Example
 from app.core.tree import Branch, Leaf, Tree, TreeNode
 from app.editor.tree.reaching import Reaching, passed
-from app.editor.tree.shape import HEIGHT, LEVELS, ROOT, WIDTH, below, find, leaves, lit, path_to, shape
+from app.editor.tree.shape import (
+    HEIGHT,
+    LEVELS,
+    ROOT,
+    WIDTH,
+    below,
+    find,
+    leading_to,
+    leaves,
+    lit,
+    path_to,
+    shape,
+)
 
 
 def chain(length: int) -> Tree:
@@ -85,3 +97,10 @@ def test_the_nodes_that_examples_pass_are_those_that_each_of_them_passes() -> No
 
 def test_no_examples_pass_nothing() -> None:
     assert passed(chain(3), []) == frozenset()
+
+
+def test_the_ways_that_lead_to_a_state_are_those_to_its_leaves() -> None:
+    keys = leading_to(chain(3), "a")
+    assert keys == {1, 3, 7, 15}
+    assert leaves(chain(3), keys) == [15]
+    assert leading_to(chain(3), "c") == frozenset()
