@@ -202,7 +202,7 @@ class RuleBlock(QWidget):
         self.later = self._button("▼", "Try this rule later", lambda: self._form.reorder(self.rule, 1))
         self.earlier.setEnabled(order > 1)
         self.later.setEnabled(order < of)
-        self.probability = NumberField("Probability of the rule", 0.0, 100.0, " %")
+        self.probability = NumberField("Probability of the rule", 0.0, 100.0, "%")
         self.probability.setToolTip(
             "How probable it is, each tick, that the rule is followed where it applies"
         )

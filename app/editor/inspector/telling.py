@@ -33,7 +33,7 @@ class LevelTold:
 
     Attributes:
         title: "Forage: Wander, for 12 ticks".
-        others: States that it might be in instead: id and name, for "why not".
+        others: States that it might go to instead: id and name, for "why not".
     """
 
     type: str
@@ -69,12 +69,16 @@ def tell(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, node: str
     hierarchy = snapshot.place.hierarchy
     view = snapshot.node(node)
     found = reasons(project, vocabulary, snapshot.watched, node, hierarchy, snapshot.taught)
+    comes = {(one.type, one.automaton): one.goes for one in found if one.probability == 1.0}
     name = node_words(hierarchy.node(node))
     return Told(
         node,
         _title(name, project, watched, view.behavior),
         found,
-        tuple(_level(project, vocabulary, snapshot, level) for level in watched.levels),
+        tuple(
+            _level(project, vocabulary, snapshot, level, comes.get((level.type, level.automaton), ""))
+            for level in watched.levels
+        ),
         view.basic,
         tuple(sorted(view.flags)),
     )
@@ -105,7 +109,10 @@ def _lower(name: str) -> str:
     return f"{first.lower()} {rest}" if rest.isdecimal() else name
 
 
-def _level(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, level: WatchedLevel) -> LevelTold:
+def _level(
+    project: Project, vocabulary: Vocabulary, snapshot: Snapshot, level: WatchedLevel, comes: str
+) -> LevelTold:
+    """What is said of one automaton, whose next state is certainly *comes*; empty if none is certain."""
     library = project.library(level.type)
     automaton = library.automata.get(level.automaton)
     if automaton is None or not automaton.has_state(level.state):
@@ -124,7 +131,7 @@ def _level(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, level: 
     others = tuple(
         (other.id, state_words(automaton, other.id, library))
         for other in automaton.states[1:]
-        if other.id != level.state
+        if other.id not in (level.state, comes)
     )
     return LevelTold(
         level.type,
@@ -139,4 +146,5 @@ def _level(project: Project, vocabulary: Vocabulary, snapshot: Snapshot, level: 
 
 def _binding(snapshot: Snapshot, slot: str, arguments: Mapping[str, tuple[str, str, int]]) -> Reading:
     target, _owner, entity = arguments[slot]
-    return Reading(slot, target, snapshot.place.entity_called(entity) if entity >= 0 else NOBODY)
+    who = snapshot.place.entity_called(entity) if entity >= 0 else NOBODY
+    return Reading(slot, target, "" if who == target else who)

@@ -55,7 +55,7 @@ class Preferences(QDialog):
         self.size_of_all = WordList()
         now, chosen = size_in_force(), studio.settings.size_percent
         for percent in sizes_that_fit(self.screen().availableSize().width(), now, chosen):
-            self.size_of_all.addItem(f"{percent} %", percent)
+            self.size_of_all.addItem(f"{percent}%", percent)
         self.autosave = roomy(QSpinBox())
         self.learns = QCheckBox("Learn by itself")
         self.keys = KeysPage(studio)

@@ -36,7 +36,7 @@ class AskControl(QWidget):
         self.switch = QToolButton()
         self.switch.setDefaultAction(studio.actions["teach.ask"])
         self.switch.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        self.below = roomy(QSpinBox(minimum=1, maximum=100, suffix=" %", value=round(100 * BELOW)))
+        self.below = roomy(QSpinBox(minimum=1, maximum=100, suffix="%", value=round(100 * BELOW)))
         self.below.setPrefix("below ")
         self.below.setFixedWidth(112)
         self.below.setToolTip("Ask where the most probable next state is less probable than this")

@@ -80,7 +80,7 @@ class Asking(QObject):
             return f"{who} is not sure. What should it do?"
         library = studio.document.project.library(asked.type)
         shares = ", ".join(
-            f"{state_words(automaton, state, library)} {100 * share:.0f} %" for state, share in asked.outcome
+            f"{state_words(automaton, state, library)} {100 * share:.0f}%" for state, share in asked.outcome
         )
         if self.below is not None and asked.confidence < self.below:
             return f"{who} is not sure: {shares}. What should it do?"

@@ -13,7 +13,7 @@ from app.editor.inspector.panel import EMPTY, InspectorPanel
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
 from app.editor.window.main_window import MainWindow
-from app.engine.commands import Pause, Play, Step
+from app.engine.commands import Pause, Play, Step, Teach
 from app.engine.snapshots import Mode
 
 LEFT = Qt.MouseButton.LeftButton
@@ -133,6 +133,20 @@ def test_why_not_something_else_is_answered(reader: Reader) -> None:
     before = reader.text
     reader.click(question)
     assert len(reader.text) > len(before)
+
+
+def test_it_is_not_asked_why_what_comes_next_does_not(reader: Reader) -> None:
+    reader.look_at("agent-1")
+    assert "Forage goes from Start to Wander" in reader.text
+    assert [text for text, _ in reader.links() if text.startswith("Why not")] == ["Why not ReturnWithBox?"]
+
+
+def test_a_target_that_is_one_thing_is_told_once(reader: Reader) -> None:
+    plan = Teach("agent", "goto", ("agent-1",), {"X": "deposit"})
+    reader.studio.bridge.send(plan)
+    reader.look_at("agent-1")
+    reader.qtbot.waitUntil(lambda: "DistanceTo(X)" in reader.text)
+    assert "X\ndeposit\n\nDistanceTo(X)\n" in reader.text  # and nothing beside it
 
 
 def test_a_click_on_an_automaton_shows_it(reader: Reader) -> None:

@@ -49,7 +49,7 @@ def test_the_theme_changes_at_once(preferences: Preferences, qtbot: QtBot, studi
 def test_the_size_of_text_and_controls_is_kept(
     preferences: Preferences, qtbot: QtBot, studio: Studio
 ) -> None:
-    preferences.size_of_all.addItem("125 %", 125)  # the screen of tests is small
+    preferences.size_of_all.addItem("125%", 125)  # the screen of tests is small
     preferences.size_of_all.setFocus()
     qtbot.keyClick(preferences.size_of_all, Qt.Key.Key_End)
     assert studio.settings.size_percent == 125
