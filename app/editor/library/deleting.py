@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
@@ -20,7 +22,7 @@ from ...core.edits import delete_automaton, users
 from ...core.naming import natural
 from ...core.vocabulary import BasicBehavior
 from ..forms.choosing import Choice, Chooser
-from ..forms.parts import framed
+from ..forms.parts import Complaint, framed
 from ..room import resize_within
 from ..selection import BehaviorKey
 
@@ -40,17 +42,25 @@ def delete_behavior(studio: Studio, parent: QWidget, then: BehaviorKey | None = 
     if users(studio.document.project, shown.type, shown.id):
         ReplaceDialog(studio, shown, parent, then).open()
     else:
-        _delete(studio, shown, None, then)
+        _delete(studio, shown, then, studio.document.attempt)
 
 
 def _delete(
-    studio: Studio, doomed: BehaviorKey, replacement: str | BasicBehavior | None, then: BehaviorKey | None
+    studio: Studio,
+    doomed: BehaviorKey,
+    then: BehaviorKey | None,
+    attempt: Callable[..., bool],
+    *replacement: object,
 ) -> bool:
-    """Delete a behavior, and say what went with it."""
+    """Delete a behavior, and say what went with it.
+
+    Args:
+        attempt: Carries an edit out, or says why it is refused.
+    """
     project = studio.document.project
     name = project.library(doomed.type).get(doomed.id).name
     examples = len(project.examples_of(doomed.type, doomed.id))
-    if not studio.document.attempt(delete_automaton, doomed.type, doomed.id, replacement=replacement):
+    if not attempt(delete_automaton, doomed.type, doomed.id, *replacement):
         return False
     if then is not None:
         studio.selection.select_behavior(then)
@@ -91,6 +101,7 @@ class ReplaceDialog(QDialog):
         self.chooser = Chooser("Replacement", "choose a replacement")
         self.chooser.offer(self._choices())
         self.chooser.chosen.connect(lambda _: self.delete.setEnabled(self.chooser.choice is not None))
+        self.trouble = Complaint(studio.theme)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.delete: QPushButton = buttons.addButton(
             "Replace and delete", QDialogButtonBox.ButtonRole.AcceptRole
@@ -100,15 +111,18 @@ class ReplaceDialog(QDialog):
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.setSpacing(8)
-        for part in (words, listed, self.chooser, buttons):
+        for part in (words, listed, self.chooser, self.trouble, buttons):
             column.addWidget(part)
         resize_within(self, 520, 280)
         self.chooser.setFocus()
 
     def _choices(self) -> list[Choice]:
+        """All but what would come to run itself."""
         document, of = self._studio.document, self._behavior
-        automata = sorted(document.project.library(of.type).automata.values(), key=lambda a: natural(a.name))
-        choices = [Choice(a.name, a.id, "automaton") for a in automata if a.id != of.id]
+        library = document.project.library(of.type)
+        circular = {of.id, *library.all_users(of.id)}
+        automata = sorted(library.automata.values(), key=lambda a: natural(a.name))
+        choices = [Choice(a.name, a.id, "automaton") for a in automata if a.id not in circular]
         basics = document.vocabulary(of.type).behaviors.values()
         return choices + [Choice(basic.name, basic, basic.doc) for basic in basics]
 
@@ -119,5 +133,6 @@ class ReplaceDialog(QDialog):
         replacement = choice.value
         assert isinstance(replacement, str | BasicBehavior)
         then = BehaviorKey(self._behavior.type, replacement) if isinstance(replacement, str) else self._then
-        if _delete(self._studio, self._behavior, replacement, then):
+        attempt = partial(self.trouble.attempt, self._studio.document)
+        if _delete(self._studio, self._behavior, then, attempt, replacement):
             self.accept()

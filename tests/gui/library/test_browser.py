@@ -8,7 +8,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
-from app.core.edits import disable_examples, duplicate_automaton, rename_automaton, set_note
+from app.core.automaton import Nested
+from app.core.edits import add_state, disable_examples, duplicate_automaton, rename_automaton, set_note
 from app.editor.forms.nothing import NothingFound
 from app.editor.library.delegate import USED_BY, layout
 from app.editor.library.deleting import ReplaceDialog
@@ -194,6 +195,25 @@ def test_delete_of_what_is_used_names_the_users_and_takes_a_replacement(
     assert studio.document.automaton("agent", "wander") is None
     studio.undo()
     assert studio.document.automaton("agent", "wander") is not None
+
+
+def test_what_would_come_to_run_itself_is_no_replacement_and_a_refusal_is_said_in_the_dialog(
+    panel: LibraryPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    click(panel, qtbot, RowKey("agent", "goto"))
+    qtbot.keyClick(panel.tree, Qt.Key.Key_Delete)
+    dialog = panel.findChild(ReplaceDialog)
+    assert dialog is not None
+    offered = [dialog.chooser.itemText(k) for k in range(dialog.chooser.count())]
+    assert "Wander" in offered
+    assert not {"Forage", "GatherAt", "Goto", "ReturnWithBox"} & set(offered)
+    studio.document.do(add_state, "agent", "wander", Nested("goto"))  # which makes a circle of it meanwhile
+    qtbot.keyClicks(dialog.chooser.field, "Wander")
+    qtbot.keyClick(dialog.chooser.field, Qt.Key.Key_Return)
+    qtbot.mouseClick(dialog.delete, Qt.MouseButton.LeftButton)
+    assert dialog.trouble.isVisible()
+    assert "wander" in dialog.trouble.text().lower()
+    assert studio.document.automaton("agent", "goto") is not None
 
 
 def test_the_filter_finds_names_features_and_states(panel: LibraryPanel, qtbot: QtBot) -> None:
