@@ -179,7 +179,11 @@ def agents(*ids: str) -> tuple[Node, ...]:
     return tuple(Node(node_id, AGENT) for node_id in ids)
 
 
-def rules(*listed: tuple[str, Guard, str] | tuple[str, Guard, str, float]) -> tuple[Rule, ...]:
+#: A rule's source, guard, target and, where it is not certain, probability.
+Listed = tuple[str, Guard, str] | tuple[str, Guard, str, float]
+
+
+def rules(*listed: Listed) -> tuple[Rule, ...]:
     """Authored rules in order: source, guard, target and, where it is not certain, probability."""
     return tuple(Rule(f"r{number}", *rule) for number, rule in enumerate(listed, 1))
 

@@ -153,7 +153,7 @@ class Witness:
                 self.reached.add(_name(use.source))
             return value
 
-        machine.value = noted  # type: ignore[method-assign]
+        machine.value = noted  # type: ignore[method-assign]  # to listen in
 
     def look(self, engine: ReferenceEngine) -> None:
         """Note what the nodes do and hold after a tick."""

@@ -93,7 +93,8 @@ class Arguments:
         return Settings(pruning_confidence=self.pick([None, 0.25, 0.9]))
 
     def replacement(self) -> str | BasicBehavior | None:
-        return self.pick([None, BasicBehavior("Forward"), *self.automaton_ids()])  # type: ignore[no-any-return]
+        found: str | BasicBehavior | None = self.pick([None, BasicBehavior("Forward"), *self.automaton_ids()])
+        return found
 
     def old(self) -> str:
         return str(self.pick(self._automaton.parameters if self._automaton else ()))
@@ -113,13 +114,15 @@ class Arguments:
     def content(self) -> Content:
         bindings = self.pick([{}, {"target": Ground("deposit")}, {"target": Parameter("target")}])
         held = [Nested(i, bindings) for i in self.automaton_ids()]
-        return self.pick([Basic("Forward"), Basic("Face", bindings), RaiseFlag("done"), *held])  # type: ignore[no-any-return]
+        found: Content = self.pick([Basic("Forward"), Basic("Face", bindings), RaiseFlag("done"), *held])
+        return found
 
     def slot(self) -> str:
         return str(self.pick(["target", "other"]))
 
     def binding(self) -> Ground | Parameter | None:
-        return self.pick([None, Ground("deposit"), Parameter("target")])  # type: ignore[no-any-return]
+        found: Ground | Parameter | None = self.pick([None, Ground("deposit"), Parameter("target")])
+        return found
 
     def to(self) -> int:
         return int(self._draw(st.integers(-1, 5)))
@@ -173,7 +176,8 @@ class Arguments:
 
     def test(self) -> Test:
         feature = self.feature_id()
-        return self.pick([AtMost(feature, 2.0), InArc(feature, -1.0, 1.0), Equals(feature, 1.0)])  # type: ignore[no-any-return]
+        found: Test = self.pick([AtMost(feature, 2.0), InArc(feature, -1.0, 1.0), Equals(feature, 1.0)])
+        return found
 
     def rule_ids(self) -> list[str]:
         ids = [rule.id for rule in self._automaton.rules_of(self.state_id())] if self._automaton else []

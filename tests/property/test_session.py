@@ -94,7 +94,7 @@ def rich() -> Project:
         done=Statistic(Operation.COUNT, FlagUp(DONE), Over.SUBSIDIARIES),
         ticks=TicksInState(),
     )
-    agents = made.library(AGENT).automata | {"Shuttle": replace(shuttle, features=shuttle.features + seen)}  # type: ignore[operator]
+    agents = made.library(AGENT).automata | {"Shuttle": replace(shuttle, features=shuttle.features + seen)}  # type: ignore[operator]  # a dict
     groups = {"Lead": replace(lead, features=summed)}
     return replace(made, libraries={**made.libraries, AGENT: Library(agents), GROUP: Library(groups)})
 

@@ -1,6 +1,7 @@
 """Properties of worlds over random automata, forests, parameters and seeds."""
 
 import json
+from collections.abc import Mapping
 from math import atan2, dist, pi
 from random import Random
 from typing import Any
@@ -32,7 +33,7 @@ def busy_types(random: Random) -> Types:
     return random_types(random, foraging.vocabulary, reach=40.0, beside=working)
 
 
-def random_parameters(random: Random) -> dict[str, Any]:
+def random_parameters(random: Random) -> Mapping[str, Any]:
     """A small arena; now and then all that can be set otherwise is."""
     return foraging.settle(
         {
@@ -48,7 +49,7 @@ def random_parameters(random: Random) -> dict[str, Any]:
             "ring_radius": random.choice((8.0, 30.0)),
             "release": random.choice(("anyone", "full")),
         }
-    )  # type: ignore[return-value]
+    )
 
 
 def random_start(seed: int) -> Start:

@@ -3,7 +3,7 @@
 Slow and obvious; the builder must find splits that are as good at every node.
 """
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import log2
@@ -26,9 +26,9 @@ Offer = tuple[float, float]
 
 
 def entropy(rows: Sequence[Row]) -> float:
-    counts: Counter[str] = Counter()
+    counts: defaultdict[str, float] = defaultdict(float)
     for row in rows:
-        counts[row.label] += row.weight  # type: ignore[assignment]
+        counts[row.label] += row.weight
     total = sum(counts.values())
     return -sum(c / total * log2(c / total) for c in counts.values())
 

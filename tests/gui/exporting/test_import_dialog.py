@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLineEdit, QPushButton
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLineEdit, QMenu, QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.edits import add_automaton, delete_automaton, rename_automaton
@@ -244,6 +244,7 @@ def test_a_change_of_the_project_meanwhile_is_taken_into_account(
 
 def test_import_and_export_stand_before_close_and_quit(window: MainWindow) -> None:
     menu = window.menuBar().actions()[0].menu()
-    texts = [said(action) for action in menu.actions()]  # type: ignore[attr-defined]
+    assert isinstance(menu, QMenu)
+    texts = [said(action) for action in menu.actions()]
     assert texts.index("Import behaviors…") < texts.index("Export…") < texts.index("Close project")
     assert texts[-1] == "Quit"

@@ -10,13 +10,14 @@ from pytestqt.qtbot import QtBot
 
 from app.core.edits import add_arm, add_type
 from app.core.hierarchy import from_table
-from app.core.project import Arm, Project
+from app.core.project import Arm, Project, Value
 from app.editor.graph.condition_row import ConditionRow
 from app.editor.graph.panel import GraphPanel
 from app.editor.library.new_automaton import NewAutomatonDialog
 from app.editor.library.panel import LibraryPanel
 from app.editor.studio import Studio
 from app.engine.runs import run, treatment
+from app.sim.scenario import Scenario
 from tests.gui.conftest import PATIENCE
 from tests.gui.graph.author import LEFT, Author
 
@@ -160,9 +161,9 @@ def test_a_newcomer_builds_the_hand_coded_forager(
     assert results[0] == results[1]
 
 
-def outcome(project: Project, arm: str, scenario: object) -> object:
+def outcome(project: Project, arm: str, scenario: Scenario) -> object:
     """How a world looks after some time, on the engine that needs no compiling."""
-    settings = {"engine": "reference", "world.boxes": 20}
-    made = treatment(project, scenario, project.arm(arm), settings)  # type: ignore[arg-type]
+    settings: dict[str, Value] = {"engine": "reference", "world.boxes": 20}
+    made = treatment(project, scenario, project.arm(arm), settings)
     result = run(made, SEED, TICKS)
     return result.measures, result.curve, result.world

@@ -5,6 +5,7 @@ import signal
 import sys
 import tomllib
 from contextlib import suppress
+from io import TextIOWrapper
 from pathlib import Path
 
 import pytest
@@ -171,7 +172,8 @@ def test_a_name_that_the_terminal_cannot_show_is_no_failure(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = stored(tmp_path / "Käfer-🐞")
-    sys.stdout.reconfigure(encoding="ascii")  # type: ignore[union-attr]
+    assert isinstance(sys.stdout, TextIOWrapper)
+    sys.stdout.reconfigure(encoding="ascii")
     assert main(["check", str(folder)]) == 0
     assert "\\U0001f41e" in capsys.readouterr().out
 

@@ -68,7 +68,9 @@ def test_a_cut_survives_learning_and_learning_takes_it_back_once_it_is_gone() ->
     moved, number = move_cut(learned, *GOTO, "forward", (), mine)
     assert is_stale(moved, *GOTO)
     again = apply(moved, learn(moved, vocabulary(), [GOTO]))
-    assert tree_of(again).root.test == mine  # type: ignore[union-attr]
+    root = tree_of(again).root
+    assert isinstance(root, Branch)
+    assert root.test == mine
     assert not is_stale(again, *GOTO)
     back = remove_cut(again, *GOTO, number)
     assert is_stale(back, *GOTO)

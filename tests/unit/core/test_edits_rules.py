@@ -114,7 +114,8 @@ def chances(
     automaton: Automaton, state: str, values: dict[str, float], *, learned: bool
 ) -> dict[str, object]:
     model = automaton.learned.get(state) if learned else None
-    outcome = distribution(automaton, state, model, values.__getitem__)  # type: ignore[arg-type]
+    assert model is None or isinstance(model, Tree)
+    outcome = distribution(automaton, state, model, values.__getitem__)
     total: dict[str, float] = {}
     for target, p in zip(outcome.states, outcome.probabilities, strict=True):
         total[target] = total.get(target, 0.0) + p

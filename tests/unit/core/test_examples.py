@@ -29,7 +29,7 @@ def test_a_copy_is_an_example_like_any_other() -> None:
     assert copy is not EXAMPLES[0]
     assert {each.name for each in fields(copy)} == {each.name for each in fields(Example)}
     with pytest.raises(FrozenInstanceError):
-        copy.label = "right"  # type: ignore[misc]
+        copy.label = "right"  # type: ignore[misc]  # that is tried
 
 
 def test_of_no_examples_there_are_no_copies() -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.core.automaton import START, Automaton, Sampling, Settings
+from app.core.automaton import START, Automaton, Sampling, Settings, State
 from app.core.features import FlagUp, Ground
 from app.core.hierarchy import Hierarchy
 from app.core.library import Types
@@ -140,8 +140,8 @@ def test_an_automaton_whose_state_is_gone_is_in_start() -> None:
     "content",
     [state("facing", "Forward"), nested("facing", "other"), flag("facing"), state("facing", "Face")],
 )
-def test_an_automaton_whose_state_holds_something_else_now_is_in_start(content: object) -> None:
-    changed = replace(OUTER, states=(OUTER.states[0], content), rules=())  # type: ignore[arg-type]
+def test_an_automaton_whose_state_holds_something_else_now_is_in_start(content: State) -> None:
+    changed = replace(OUTER, states=(OUTER.states[0], content), rules=())
     play = edited(group_of_two(), FACE, changed, automaton("other"))
     assert play.states("a") == START
 

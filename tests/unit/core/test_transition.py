@@ -8,7 +8,7 @@ from app.core.automaton import START, Prune, Sampling
 from app.core.conditions import AtMost, Condition, Equals
 from app.core.transition import Outcome, choose, distribution, pruned
 from app.core.tree import Branch, Leaf, Tree
-from tests.fakes import leaf, rules, yes
+from tests.fakes import Listed, leaf, rules, yes
 from tests.samples import automaton, state
 
 A, B = state("a", "Forward"), state("b", "RotateLeft")
@@ -17,8 +17,8 @@ ASKED, FULL = AtMost("not there", 0.0), Leaf((1.0,))
 MET: dict[str, float] = {"on": 1.0, "off": 0.0, "d": 3.0}
 
 
-def outcome(*listed: object, learned: Tree | None = None, prunes: tuple[Prune, ...] = ()) -> Outcome:
-    chooser = automaton("chooser", A, B, rules=rules(*listed), prunes=prunes)  # type: ignore[arg-type]
+def outcome(*listed: Listed, learned: Tree | None = None, prunes: tuple[Prune, ...] = ()) -> Outcome:
+    chooser = automaton("chooser", A, B, rules=rules(*listed), prunes=prunes)
     return distribution(chooser, START, learned, MET.__getitem__)
 
 

@@ -148,7 +148,7 @@ def test_a_damaged_flat_tree_is_refused_with_the_place(
     damage: dict[str, tuple[int, ...]], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        unflatten(replace(flatten(TREE), **damage))  # type: ignore[arg-type]
+        unflatten(replace(flatten(TREE), **damage))  # type: ignore[arg-type]  # whatever it names
 
 
 @pytest.mark.parametrize("test", [NEAR, SEES, AHEAD])

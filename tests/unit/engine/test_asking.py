@@ -10,6 +10,7 @@ from app.core.edits import delete_automaton, disable_examples, remove_state
 from app.core.project import Project
 from app.engine.commands import (
     AskMe,
+    Command,
     LetGo,
     MoveEntities,
     Others,
@@ -232,9 +233,9 @@ def test_nothing_is_let_go_where_nothing_is_asked() -> None:
     ],
     ids=repr,
 )
-def test_what_ends_the_question_lets_time_go_on_as_before(command: object) -> None:
+def test_what_ends_the_question_lets_time_go_on_as_before(command: Command) -> None:
     driver = in_doubt().send(Play(3.0)).advance(2)
-    driver.send(command)  # type: ignore[arg-type]
+    driver.send(command)
     assert (driver.snapshot.asked, driver.session.speed) == (None, 3.0)
 
 

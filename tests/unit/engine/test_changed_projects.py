@@ -137,7 +137,7 @@ def test_undoing_a_deletion_lets_nodes_go_on_where_they_were() -> None:
 def test_ticks_in_which_a_behavior_was_gone_do_not_count_for_those_that_go_on() -> None:
     driver = Driver().advance(4)
     whole = driver.project
-    entered = driver.session._world.engine.machine.actors["agent-1"].run.entered  # type: ignore[union-attr]
+    entered = driver.session._world.engine.machine.actors["agent-1"].run.entered  # type: ignore[union-attr]  # it runs something
     driver.edit(delete_automaton, AGENT, "Stroll", "Signal").advance(3).edit(lambda _: whole)
     run = driver.session._world.engine.machine.actors["agent-1"].run
     assert run is not None
@@ -346,7 +346,7 @@ def test_what_was_learned_is_not_put_into_a_project_that_has_other_examples_by_t
 
 def test_a_caller_that_undoes_a_pick_in_its_own_way_is_followed() -> None:
     driver = Driver().teach("agent-1", "Shuttle").pick("up").advance(2)
-    recorded = driver.session._lesson.acts[0].recorded  # type: ignore[union-attr]
+    recorded = driver.session._lesson.acts[0].recorded  # type: ignore[union-attr]  # there is a lesson
     driver.edit(take_back_pick, recorded)
     assert (driver.taught, driver.state()) == ([], "up")
     assert driver.pick("down").taught == ["up>down", "down>down+"]

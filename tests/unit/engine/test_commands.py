@@ -52,9 +52,9 @@ def test_commands_and_snapshots_are_frozen() -> None:
     driver = teaching()
     snapshot = driver.snapshot
     with pytest.raises(FrozenInstanceError):
-        snapshot.tick = 7  # type: ignore[misc]
+        snapshot.tick = 7  # type: ignore[misc]  # that is tried
     with pytest.raises(FrozenInstanceError):
-        Pick("agent-1", "up").node = "agent-2"  # type: ignore[misc]
+        Pick("agent-1", "up").node = "agent-2"  # type: ignore[misc]  # that, too
     driver.advance(3).pick("down").advance()
     assert (snapshot.tick, snapshot.world["x"][0], snapshot.nodes["agent-1"].basic) == (2, 2.0, "Up")
 
@@ -146,7 +146,7 @@ def test_a_pick_that_is_refused_does_not_replace_the_one_that_waits() -> None:
 
 
 def test_something_else_than_a_command_is_refused() -> None:
-    assert Driver().refused("jump") == "str is not a command"  # type: ignore[arg-type]
+    assert Driver().refused("jump") == "str is not a command"  # type: ignore[arg-type]  # that is tried
 
 
 def test_a_state_whose_target_is_open_cannot_be_picked() -> None:

@@ -12,6 +12,7 @@ import pytest
 from app.core.automaton import START, Basic
 from app.core.edits import add_state, delete_automaton, disable_examples, relabel_examples
 from app.core.errors import SessionError
+from app.core.examples import Example
 from app.core.project import Arm, Demonstration, LevelTable, Pick, Project
 from app.core.storage import save
 from app.engine.demonstrations import commands, play, recreate
@@ -200,7 +201,7 @@ def test_recreating_twice_gives_the_same_project() -> None:
 
 def test_recreating_needs_nothing_but_the_lists() -> None:
     once = recreate(chain(), corridor)
-    examples = {kind: {} for kind in once.examples}  # type: ignore[var-annotated]
+    examples = {kind: dict[str, tuple[Example, ...]]() for kind in once.examples}
     libraries = {
         kind: replace(
             library,

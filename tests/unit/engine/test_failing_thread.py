@@ -73,7 +73,7 @@ def test_a_failure_is_told_once_even_if_it_cannot_be_shown(start: Make) -> None:
     thread = start(Unshowable)
     for _ in range(2):
         ticket = thread.send(Pause())
-        thread.wait_for(lambda s, ticket=ticket: s.acknowledged >= ticket)  # type: ignore[misc]
+        thread.wait_for(lambda s, ticket=ticket: s.acknowledged >= ticket)  # type: ignore[misc]  # mypy gives no type to lambdas with defaults
     assert len(thread.events()) == 2
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from threading import Event
+from typing import Any
 
 import pytest
 
@@ -180,12 +181,12 @@ def test_an_answer_carries_its_revision_and_comes_once() -> None:
 def test_an_earlier_question_is_given_up_and_the_thread_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     begun, given_up = Event(), Event()
 
-    def slow(*args: object) -> object:
-        if args[0].name != "slow":  # type: ignore[attr-defined]
-            return learn(*args)  # type: ignore[arg-type]
+    def slow(*args: Any) -> object:
+        if args[0].name != "slow":
+            return learn(*args)
         begun.set()
         cancelled = args[-1]
-        while not cancelled():  # type: ignore[operator]
+        while not cancelled():
             given_up.wait(0.001)
         given_up.set()
         raise LearningCancelled
@@ -221,9 +222,9 @@ def test_values_that_could_not_be_read_are_not_looked_for_again_until_something_
     tries: list[str] = []
     fill = fill_values
 
-    def counting(*args: object) -> object:
+    def counting(*args: Any) -> object:
         tries.append("")
-        return fill(*args)  # type: ignore[arg-type]
+        return fill(*args)
 
     monkeypatch.setattr(relearning, "fill_values", counting)
     bell = Bell()

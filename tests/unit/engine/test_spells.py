@@ -20,7 +20,7 @@ class World:
 
 
 def passed(world: World, *goals: int, stop: int = 10**9) -> list[bool]:
-    spells = Spells(world, lambda: world.tick < stop, lambda: world.now)  # type: ignore[arg-type]
+    spells = Spells(world, lambda: world.tick < stop, lambda: world.now)  # type: ignore[arg-type]  # all of a session that is asked for
     return [spells.until(goal) for goal in goals]
 
 

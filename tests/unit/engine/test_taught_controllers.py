@@ -2,17 +2,17 @@
 
 from app.core.automaton import START
 from app.core.edits import add_feature
-from app.core.features import FlagUp, Operation, Over, Sense, Statistic
+from app.core.features import FlagUp, Operation, Over, Sense, Source, Statistic
 from app.core.vocabulary import DONE, FINISHED
 from tests.corridor import features, lead, project
 from tests.driver import Driver
 from tests.samples import GROUP, automaton, nested, state
 
 
-def group_lesson(*more: object) -> Driver:
+def group_lesson(*more: Source) -> Driver:
     made = project()
     for source in more:
-        made, _ = add_feature(made, GROUP, "Lead", source)  # type: ignore[arg-type]
+        made, _ = add_feature(made, GROUP, "Lead", source)
     return Driver(made, "groups").teach("group-1", "Lead")
 
 

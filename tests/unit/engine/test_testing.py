@@ -177,7 +177,7 @@ def test_should_not_have_left_refers_to_the_tick_and_moment_of_that_transition()
     mended = driver.advance(3).should_not_have_left().examples[-1]
     assert mended.tick == tick
     moment = driver.project.moments[mended.snapshot]
-    assert (moment.world["x"][0], moment.machine["nodes"]["agent-1"]["run"]["state"]) == (4.0, "up")  # type: ignore[index]
+    assert (moment.world["x"][0], moment.machine["nodes"]["agent-1"]["run"]["state"]) == (4.0, "up")  # type: ignore[index]  # as it was written
 
 
 def test_should_not_have_left_takes_the_node_back_there_and_only_it_into_training() -> None:
@@ -245,7 +245,7 @@ def test_should_not_have_left_is_refused_for_a_state_whose_target_is_open_now() 
 def test_a_mended_transition_is_learned() -> None:
     driver = in_a_test().advance(4).should_not_have_left().test()
     up = driver.automaton.learned["up"]
-    assert up.decide(lambda _: 4.0).probabilities == (0.5, 0.5)  # type: ignore[union-attr]
+    assert up.decide(lambda _: 4.0).probabilities == (0.5, 0.5)  # type: ignore[union-attr]  # of trees
 
 
 def test_what_was_left_in_an_earlier_test_is_not_mended_in_the_next() -> None:

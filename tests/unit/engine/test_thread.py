@@ -12,7 +12,7 @@ from app.engine.commands import MoveEntities, Pause, Pick, Play, Step, Teach, Un
 from app.engine.commands import Test as LearnAndTest
 from app.engine.pace import FRAME
 from app.engine.session import Session
-from app.engine.snapshots import Demonstrated, Edit, Mode, Picked, Refused, Relearned, edited
+from app.engine.snapshots import Demonstrated, Edit, Mode, Picked, Refused, Relearned, Snapshot, edited
 from app.engine.thread import EARLY, EngineThread
 from tests.corridor import corridor, project
 from tests.driver import UNCOMPILED
@@ -118,8 +118,13 @@ def test_a_step_passes_just_its_ticks_and_pauses(start: Make) -> None:
 def test_as_fast_as_it_can_is_faster_than_real_time_and_shown_about_once_a_frame(start: Make) -> None:
     thread = start()
     thread.send(Play(None))
-    began, seen = monotonic(), set()
-    snapshot = thread.wait_for(lambda s: seen.add(s.tick) is None and s.tick >= 3000)  # type: ignore[func-returns-value]
+    began, seen = monotonic(), set[int]()
+
+    def is_far(snapshot: Snapshot) -> bool:
+        seen.add(snapshot.tick)
+        return snapshot.tick >= 3000
+
+    snapshot = thread.wait_for(is_far)
     assert snapshot.speed is None
     assert len(seen) <= (monotonic() - began) / ((1.0 - EARLY) * FRAME) + 3
 

@@ -26,7 +26,7 @@ def test_a_run_is_gone_to_a_tick_and_stands_there(engine: EngineThread) -> None:
     engine.wait_for(lambda s: s.tick > 300)
     for tick in (120, 2_000, 7):
         ticket = engine.send(GoTo(tick))
-        there = engine.wait_for(lambda s, t=ticket: s.acknowledged >= t and s.going_to is None)  # type: ignore[misc]
+        there = engine.wait_for(lambda s, t=ticket: s.acknowledged >= t and s.going_to is None)  # type: ignore[misc]  # mypy gives no type to lambdas with defaults
         assert (there.tick, there.speed) == (tick, 0.0)
 
 

@@ -1,5 +1,6 @@
 """What a hand does in a lesson can be kept as a demonstration, which records the same examples when it is played."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -377,9 +378,9 @@ def test_other_physics_are_not_what_a_demonstration_is_played_with() -> None:
         (lambda d: d.teach("agent-1", "Seek", demonstration="s", target="lamp"), "taught in before"),
     ],
 )
-def test_what_playing_would_not_repeat_is_said(spoil: object, why: str) -> None:
+def test_what_playing_would_not_repeat_is_said(spoil: Callable[[Driver], object], why: str) -> None:
     driver = lesson().pick("up").advance(2)
-    spoil(driver)  # type: ignore[operator]
+    spoil(driver)
     choice = "Up" if driver._lesson[1] == "Seek" else "down"
     driver.pick(choice)
     assert why in driver.obstacle

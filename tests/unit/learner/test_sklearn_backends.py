@@ -12,6 +12,7 @@ from sklearn.ensemble import RandomForestClassifier
 from app.core.automaton import Settings
 from app.core.conditions import AtMost, Equals, InArc
 from app.core.tree import Branch, Forest, Tree
+from app.core.vocabulary import FeatureKind
 from app.learner.dataset import Dataset
 from app.learner.prediction import probabilities
 from app.learner.registry import METHODS, fit
@@ -75,8 +76,8 @@ def test_an_angle_is_cut_once_by_an_arc_that_begins_at_the_seam() -> None:
 
 
 @pytest.mark.parametrize("kind", [BOOLEAN, CATEGORICAL])
-def test_values_are_told_apart_one_against_the_rest(kind: object) -> None:
-    tree = cart(of_one_feature(kind, (0.0, "A"), (1.0, "B")))  # type: ignore[arg-type]
+def test_values_are_told_apart_one_against_the_rest(kind: FeatureKind) -> None:
+    tree = cart(of_one_feature(kind, (0.0, "A"), (1.0, "B")))
     assert isinstance(tree.root, Branch)
     assert tree.root.test == Equals("f", 1.0)
     assert tree.root.yes.counts == (0.0, 1.0)

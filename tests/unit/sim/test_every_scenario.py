@@ -72,7 +72,7 @@ def test_every_column_and_kind_is_documented(scenario: Scenario) -> None:
 @each
 def test_parameters_are_frozen_documented_and_have_units(scenario: Scenario) -> None:
     assert is_dataclass(scenario.parameters)
-    assert scenario.parameters.__dataclass_params__.frozen  # type: ignore[attr-defined]
+    assert scenario.parameters.__dataclass_params__.frozen  # type: ignore[attr-defined]  # where Python has it
     fields = scenario.parameter_fields()
     assert [name for name, declared in fields.items() if not declared.metadata["doc"]] == []
     unitless = [name for name, f in fields.items() if isinstance(f.default, float) and not f.metadata["unit"]]

@@ -154,7 +154,7 @@ def test_a_tick_that_has_passed_can_be_looked_back_on() -> None:
     assert [(past.tick, node) for past in pasts for node, _ in past.left] == [(t, n) for t, n, _ in told]
     for past in pasts:
         replayed = list[str]()
-        past.replay(lambda _machine, actor, said=replayed: said.append(actor.node.id))  # type: ignore[misc]
+        past.replay(lambda _machine, actor, said=replayed: said.append(actor.node.id))  # type: ignore[misc]  # mypy gives no type to lambdas with defaults
         assert {node for node, _ in past.left} <= set(replayed)
     states = {(tick, node): state for tick, node, state in told}
     for past, node, automaton in [(tick, *left) for tick in pasts for left in tick.left]:

@@ -64,7 +64,7 @@ def test_features_read_the_world_as_it_was_when_the_tick_began() -> None:
             sensed.append(engine.frozen_world())
             return getattr(inner, name)
 
-    engine.senses = Recording()  # type: ignore[assignment]
+    engine.senses = Recording()  # type: ignore[assignment]  # whatever they are asked
     before = engine.frozen_world()
     engine.step()
     assert len(sensed) > 20

@@ -52,7 +52,8 @@ def test_controllers_and_agents_of_any_name_run_in_it() -> None:
     running, states = engine(), set()
     for _ in range(200):
         running.step()
-        states |= {running.machine.actors[name].run.state for name in ("hunter-1", "hunter-2")}  # type: ignore[union-attr]
+        runs = [running.machine.actors[name].run for name in ("hunter-1", "hunter-2")]
+        states |= {run.state for run in runs if run is not None}
     assert states == {"hunt", "home"}
     assert running.measures()["caught"] > 0
     assert running.progressed > 0

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 import pytest
 
@@ -153,10 +154,10 @@ def test_no_permission_to_write(
     before = files(folder)
     original = Path.open
 
-    def refuse(path: Path, mode: str = "r", **keywords: object) -> object:
+    def refuse(path: Path, mode: str = "r", **keywords: Any) -> object:
         if "x" in mode:
             raise OSError(error, "refused")
-        return original(path, mode, **keywords)  # type: ignore[call-overload]
+        return original(path, mode, **keywords)
 
     monkeypatch.setattr(Path, "open", refuse)
     with pytest.raises(

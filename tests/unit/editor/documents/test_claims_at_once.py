@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from threading import Barrier
 
@@ -38,7 +39,7 @@ def test_of_all_that_claim_a_project_at_once_one_has_it_and_the_others_hear_who(
             folder.mkdir(parents=True)
             (folder / "lock").write_text(left)
         owners = [new_owner() for _ in range(WINDOWS)]
-        found = at_once(lambda owner, at=folder: claim(at, owner), owners)  # type: ignore[misc]
+        found = at_once(partial(claim, folder), owners)
         (winner,) = [owner for owner, other in zip(owners, found, strict=True) if other is None]
         assert holder_of(folder) == winner
         assert [other for other in found if other is not None] == [winner] * (WINDOWS - 1)
