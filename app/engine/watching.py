@@ -10,6 +10,7 @@ from ..core.machine import Machine, Senses
 from ..core.transition import Outcome
 from ..core.vocabulary import NO_ENTITY
 from ..sim.engine import Engine
+from ..sim.sensing import KeptSenses
 
 #: A controller's target is shown if it means the same to the first so many of its agents.
 MOST_PERFORMERS = 8
@@ -55,7 +56,8 @@ class Watched:
 
 def watched(engine: Engine, nodes: Iterable[str]) -> Mapping[str, Watched]:
     """What these nodes, all of which there are, are about to decide."""
-    machine, senses = engine.watch(nodes)
+    machine, sensed = engine.watch(nodes)
+    senses = KeptSenses(sensed)
     return {node_id: _watched(machine, senses, machine.actors[node_id]) for node_id in nodes}
 
 

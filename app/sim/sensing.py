@@ -1,9 +1,11 @@
 """What the machine senses of a world: the scenario's own functions, called as they are, and their answers checked."""
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from ..core.errors import ScenarioError
+from ..core.machine import Senses
 from ..core.vocabulary import NO_ENTITY
 from .failure import broke, failed
 from .ranges import allowed, closed_range
@@ -62,3 +64,16 @@ class WorldSenses:
         wanted = allowed(self._scenario.vocabulary.features[name])
         how = f"it gave {value!r} for {whose}; allowed: {wanted}"
         return broke(self._scenario.name, f"feature {name!r}", function, how)
+
+
+class KeptSenses:
+    """`app.core.machine.Senses` for one look at a moment: what was sensed once is not worked out again.
+
+    Features that look for something in a large world take long, and a look asks for many of them several times.
+    """
+
+    def __init__(self, senses: Senses) -> None:
+        """Keep what *senses* say, for as long as the world is as it is."""
+        self.feature = cache(senses.feature)
+        self.group_feature = cache(senses.group_feature)
+        self.target = cache(senses.target)
