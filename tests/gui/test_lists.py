@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor, QImage, QStandardItemModel
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
 from app.editor.behavior_colors import luminance
 from app.editor.forms.word_list import WordList
+from app.editor.problems.panel import ProblemList
 from app.editor.studio import Studio
-from app.editor.theme import ThemeMode
+from app.editor.theme import ThemeMode, chosen_ground
 from tests.gui.conftest import PATIENCE
 
 
@@ -86,3 +87,23 @@ def contrast_in(image: QImage) -> float:
     colors = {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
     levels = [luminance(QColor(name)) for name in colors]
     return (max(levels) + 0.05) / (min(levels) + 0.05)
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_the_row_that_keys_are_at_is_one_plain_stripe(
+    empty_studio: Studio, qtbot: QtBot, mode: ThemeMode
+) -> None:
+    empty_studio.theme.use(mode)
+    listed, model = ProblemList(), QStandardItemModel(3, 3)
+    qtbot.addWidget(listed)
+    listed.setModel(model)
+    with qtbot.waitExposed(listed):
+        listed.show()
+    listed.activateWindow()
+    listed.setFocus()
+    listed.setCurrentIndex(model.index(1, 0))
+    qtbot.waitUntil(listed.hasFocus, timeout=PATIENCE)
+    row = listed.visualRect(model.index(1, 0))
+    seen = listed.viewport().grab(row).toImage()
+    colors = {seen.pixelColor(row.width() // 2, y).name() for y in range(seen.height())}
+    assert colors == {chosen_ground(empty_studio.theme.palette).name()}

@@ -201,7 +201,6 @@ class ProblemList(QTreeView):
         self.setAccessibleName("Problems")
         self.setRootIsDecorated(False)
         self.setUniformRowHeights(True)
-        self.setAllColumnsShowFocus(True)
         self.setMouseTracking(True)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
 
