@@ -323,8 +323,8 @@ class WorldCanvas(Surface):
     def _told(self) -> None:
         if self._coloring is not None and self._coloring[1] is not self.looking.color_by:
             self.on_top.legend.begin()
-        self._count()
-        self._studio.actions.refresh()
+        self._counting.hurry()
+        self._studio.touch()
         self.touch()
 
     def _dress(self) -> None:
