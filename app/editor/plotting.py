@@ -16,8 +16,21 @@ if TYPE_CHECKING:
     from .theme import Theme
 
 
+#: Pixels that a number takes from top to bottom, with what keeps it from the next one.
+LINE = 15
+
+
 class _Amounts(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
-    """An axis on which thousands are told apart, as in all words of the window."""
+    """An axis on which thousands are told apart, as in all words of the window, and numbers do not touch."""
+
+    def tickValues(self, least: float, most: float, size: float) -> list[tuple[float, Sequence[float]]]:
+        """Where numbers stand, by their distance: beside a low plot at its ends."""
+        levels: list[tuple[float, Sequence[float]]] = super().tickValues(least, most, size)
+        lines = max(1, int(size // LINE))
+        if self.orientation != "left" or not levels or len(levels[0][1]) <= lines:
+            return levels
+        distance, values = levels[0]
+        return [(distance, [*values[: lines > 1], values[-1]])]
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
         """The words at these places."""

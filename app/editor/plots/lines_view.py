@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from .series import LineKey
 
 
-#: Pixels below which the axis of ticks has no word, and those that it takes at least: no more than other tabs at its place,
-#: or the world would become lower as soon as there is something to plot.
-LOW, LEAST = 140, 40
+#: Pixels below which the axis of ticks has no word, nor the other one, and those that it takes at least: no more than other
+#: tabs at its place, or the world would become lower as soon as there is something to plot.
+LOW, LOWER, LEAST = 140, 70, 40
 #: How a line looks in the legend.
 _STROKES = {
     Qt.PenStyle.SolidLine: "━━",
@@ -96,12 +96,15 @@ class LinesView(QWidget):
             self._plot.setYRange(0.0, 1.0)
         else:
             self._plot.enableAutoRange("y")
-        self._plot.getAxis("left").setLabel(label)
+        left = self._plot.getAxis("left")
+        left.setLabel(label)
+        left.showLabel(self.height() >= LOWER)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """In a low panel the lines get the room of the word below them."""
+        """In a low panel the lines get the room of the words beside them."""
         super().resizeEvent(event)
         self._plot.getAxis("bottom").showLabel(self.height() >= LOW)
+        self._plot.getAxis("left").showLabel(self.height() >= LOWER)
 
     def _dress(self) -> None:
         dress(self._plot, self._theme)
