@@ -35,7 +35,7 @@ from .text import TextError, parsed
 R = TypeVar("R", bound=Record)
 Records = Mapping[str, Record]
 
-MAKES_ONE = "`understudy new DIR --scenario NAME` makes a project"
+MAKES_ONE = "`understudy new DIR --scenario NAME`, or New project in the window, makes a project"
 
 
 def load(folder: Path) -> Project:

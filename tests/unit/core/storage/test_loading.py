@@ -34,14 +34,15 @@ def deny(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
 
 def test_a_folder_that_is_not_there(tmp_path: Path) -> None:
     assert message(tmp_path / "none") == (
-        f"{tmp_path}/none: there is no such folder; `understudy new DIR --scenario NAME` makes a project"
+        f"{tmp_path}/none: there is no such folder; "
+        "`understudy new DIR --scenario NAME`, or New project in the window, makes a project"
     )
 
 
 def test_a_folder_that_is_no_project(tmp_path: Path) -> None:
     assert message(tmp_path) == (
         f"{tmp_path}: this is no project: the folder holds no project.json; "
-        "`understudy new DIR --scenario NAME` makes a project"
+        "`understudy new DIR --scenario NAME`, or New project in the window, makes a project"
     )
 
 
