@@ -17,7 +17,7 @@ from ..actions import SUBMENUS, ActionRow
 from ..forms.parameter_form import said
 from ..searching import words_in
 from ..selection import BehaviorKey
-from .matching import matching, score
+from .matching import INITIALS, SCATTERED, matching, score
 from .other_words import OTHER_WORDS, SETTING_WORDS
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 #: As many as are shown.
 MOST = 60
+#: What has only scattered letters of a query scores less than this, and all else more.
+FAR_BELOW = (INITIALS + SCATTERED) // 2
 #: As many of one kind as are weighed at most: ten thousand agents would keep the user waiting.
 MOST_WEIGHED = 600
 
@@ -122,7 +124,7 @@ class Catalog:
         self.sections = tuple(sections)
 
     def find(self, query: str, most: int = MOST) -> list[Entry]:
-        """The entries that fit best, the best first."""
+        """The entries that fit best, the best first; scattered letters count only where nothing else is found."""
         query = lowered(query.lstrip())
         words = words_in(query)
         ranked: list[tuple[int, int, int, int]] = []
@@ -134,6 +136,8 @@ class Catalog:
             weighed = ((worth, -number, -at, at) for worth, at in section.weighed(words, places))
             ranked += heapq.nlargest(most, weighed)
         best = heapq.nlargest(most, ranked)
+        if best and best[0][0] > FAR_BELOW:
+            best = [one for one in best if one[0] > FAR_BELOW]
         return [self.sections[-number].entry(at) for _, number, _, at in best]
 
 
@@ -170,8 +174,9 @@ def _actions(studio: Studio) -> Section:
     def entry(at: int) -> Entry:
         row, action = rows[at], studio.actions[rows[at].id]
         do = action.trigger if action.isEnabled() else None
-        said = row.tip if do is not None else f"not now: {studio.actions.why_not(row.id)}"
-        return Entry("action", texts[at], " · ".join(filter(None, (row.menu, said))), keys[at], do)
+        where = " · ".join(filter(None, (row.menu, row.tip)))
+        detail = where if do is not None else f"not now: {studio.actions.why_not(row.id)}"
+        return Entry("action", texts[at], detail, keys[at], do)
 
     return Section("action", texts, entry, 6, others)
 

@@ -17,8 +17,8 @@ ELSE_WHOLE, ELSE_BEGINS, ELSE_INSIDE = 20, 17, 1
 LESS_AFTER, LEAST = 12, 6
 #: For words that stand in a name as they were typed: next to the one before, or at least behind it.
 NEXT, BEHIND = 10, 4
-#: For a name that is just what was typed, and for one that only has the letters of it.
-SAME, LETTERS = 30, -200
+#: For a name that is just what was typed, for one whose words begin with its letters, and for one that has them anywhere.
+SAME, INITIALS, SCATTERED = 30, -200, -1000
 #: What one letter is worth where it begins a word or follows the letter before it; a gap costs a little.
 LETTER_BEGINS, LETTER_FOLLOWS, GAP = 12, 8, 1
 
@@ -112,8 +112,10 @@ def _worth(word: str, text: str, at: int, worths: tuple[int, int, int]) -> int:
 
 
 def _score_of_letters(letters: str, text: str) -> int:
-    found = letter_places(letters, text)
-    worth = LETTERS - len(text) // 4 - (found[0] if found else 0)
+    low, wanted = lowered(text), lowered(letters)
+    initials = _by_beginnings(wanted, text, low)
+    found = initials or _first(wanted, low)
+    worth = (INITIALS if initials else SCATTERED) - len(text) // 4 - (found[0] if found else 0)
     for before, at in zip((-2, *found), found, strict=False):
         if at == before + 1:
             worth += LETTER_FOLLOWS

@@ -104,6 +104,19 @@ def test_newcomers_find_what_they_are_after_by_their_own_words(palette: Palette,
     assert not missed
 
 
+def test_scattered_letters_find_something_only_where_words_do_not(palette: Palette, qtbot: QtBot) -> None:
+    assert first(palette, qtbot, "speed") == "action: Faster"
+    assert "Show the examples that decide" not in [entry.text for entry in palette.model.entries]
+    assert first(palette, qtbot, "rtrnbx") == "behavior: ReturnWithBox"
+
+
+def test_what_is_not_possible_now_says_why(palette: Palette, qtbot: QtBot) -> None:
+    palette.line.clear()
+    qtbot.keyClicks(palette.line, "undo")
+    (undo,) = [entry for entry in palette.model.entries if entry.text == "Undo"]
+    assert (undo.do, undo.detail) == (None, "not now: nothing has been done yet")
+
+
 def test_other_words_are_those_of_actions_and_settings_that_there_are(
     palette: Palette, studio: Studio
 ) -> None:
