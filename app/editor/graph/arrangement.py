@@ -180,7 +180,7 @@ def run_around(a: Point, size_a: Size, b: Point, size_b: Size, states: "Taken", 
             continue
         bow = more + (BOW if bowed else 0.0)
         run = run_between(a, size_a, b, size_b, bow=bow, sideways=more != 0.0)
-        through = int(states.upon(_along(run), (BESIDE, BESIDE)).sum())
+        through = int(states.upon(_along(run), (BESIDE, BESIDE)).sum()) if len(states) else 0
         if through == 0:
             return run
         found.append((through, run))
@@ -229,6 +229,9 @@ class Taken:
 
     def __init__(self, boxes: Iterable[tuple[Point, Size]] = ()) -> None:
         self._boxes = [(*middle, *size) for middle, size in boxes]
+
+    def __len__(self) -> int:
+        return len(self._boxes)
 
     def add(self, middle: Point, size: Size) -> None:
         """One more."""

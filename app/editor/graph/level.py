@@ -76,7 +76,7 @@ class Drawn:
     def rerouted(self, places: Mapping[str, Point], state: str) -> dict[tuple[str, str], Run]:
         """How the edges of one state run while it is dragged."""
         touching = [edge for edge in self.graph.edges if state in (edge.source, edge.target)]
-        states = _taken_by(places, self.sizes)
+        states = _in_the_way(self.graph, places, self.sizes)
         return {
             (e.source, e.target): _own_run(e, self.graph.edges, self.sizes, places, self.labels, states)
             for e in touching
@@ -189,7 +189,7 @@ def _runs(
     labels: Labels,
 ) -> dict[tuple[str, str], Run]:
     """Graphviz's runs where both ends moved alike since then, our own elsewhere."""
-    found, states = {}, _taken_by(places, sizes)
+    found, states = {}, _in_the_way(graph, places, sizes)
     for edge in graph.edges:
         key = edge.source, edge.target
         run = arrangement.runs.get(key)
@@ -202,9 +202,10 @@ def _runs(
     return found
 
 
-def _taken_by(places: Mapping[str, Point], sizes: Mapping[str, Size]) -> Taken:
-    """Where states stand."""
-    return Taken((at, sizes[state]) for state, at in places.items())
+def _in_the_way(graph: AutomatonGraph, places: Mapping[str, Point], sizes: Mapping[str, Size]) -> Taken:
+    """Where states stand that edges go around; so many edges that none has words run straight, which takes no time."""
+    around = places if len(graph.edges) <= MOST_LABELED else {}
+    return Taken((at, sizes[state]) for state, at in around.items())
 
 
 def _apart(
