@@ -1,6 +1,6 @@
 """What all nodes do at one moment, as arrays: cheap to take and to count, however many nodes there are."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -108,34 +108,59 @@ class Roster:
         self._states: dict[tuple[str, str, str], int] = {}
         self._flags: dict[str, int] = {}
         self._refs: tuple[tuple[BehaviorRef, ...], tuple[StateRef, ...], tuple[str, ...]] = ((), (), ())
+        self._actors: Mapping[str, Actor] | None = None
+        self._rows: Mapping[str, int] = {}
+        self._controllers = 0
 
     def doing(self, actors: Mapping[str, Actor]) -> Doing:
         """What these nodes do."""
-        runs: list[tuple[int, int, int, int]] = []  # row, level, behavior, state
+        rows, levels, found = (
+            list[int](),
+            list[int](),
+            list[int](),
+        )  # of all runs; the last a place in *table*
+        places: dict[
+            tuple[str, int, str], int
+        ] = {}  # of runs that are alike: most nodes do what others do as well
+        table: list[tuple[int, int]] = []
         up: list[tuple[int, int]] = []  # row, flag
-        known: dict[tuple[str, int, str], tuple[int, int]] = {}  # most nodes do what others do as well
         for row, actor in enumerate(actors.values()):
             level, run, kind = 0, actor.run, actor.node.type
             while run is not None:
                 alike = kind, id(run.behavior), run.state
-                numbers = known.get(alike)
-                if numbers is None:
-                    numbers = known[alike] = self._numbers(kind, run)
-                runs.append((row, level, *numbers))
+                place = places.get(alike)
+                if place is None:
+                    place = places[alike] = len(table)
+                    table.append(self._numbers(kind, run))
+                rows.append(row)
+                levels.append(level)
+                found.append(place)
                 level, run = level + 1, run.child
             if actor.flags or (actor.run is not None and actor.run.flags):
                 up += [(row, self._flags.setdefault(flag, len(self._flags))) for flag in _shown(actor)]
-        table = np.array(runs, np.int32).reshape(-1, 4)
-        shape = len(actors), 1 + int(table[:, 1].max(initial=0))
+        shape = len(actors), 1 + max(levels, default=0)
         behavior, state = np.full(shape, NONE, np.int32), np.full(shape, NONE, np.int32)
-        behavior[table[:, 0], table[:, 1]], state[table[:, 0], table[:, 1]] = table[:, 2], table[:, 3]
-        flags = np.zeros((len(actors), len(self._flags)), np.bool_)
+        numbers = np.array(table, np.int32).reshape(-1, 2)[found]
+        where = np.array(rows, np.int64), np.array(levels, np.int64)
+        behavior[where], state[where] = numbers.T
+        behaviors, states, names = self._named()
+        return Doing(
+            behaviors, states, behavior, state, self._raised(up, len(actors)), names, *self._counted(actors)
+        )
+
+    def _raised(self, up: Sequence[tuple[int, int]], nodes: int) -> NDArray[np.bool_]:
+        flags = np.zeros((nodes, len(self._flags)), np.bool_)
         raised = np.array(up, np.int64).reshape(-1, 2)
         flags[raised[:, 0], raised[:, 1]] = True
-        rows = {node_id: row for row, node_id in enumerate(actors)}
-        controllers = sum(not actor.is_agent for actor in actors.values())
-        behaviors, states, names = self._named()
-        return Doing(behaviors, states, behavior, state, flags, names, rows, controllers)
+        return flags
+
+    def _counted(self, actors: Mapping[str, Actor]) -> tuple[Mapping[str, int], int]:
+        """The row of each node, and how many are controllers: the same as long as these are the same nodes."""
+        if actors is not self._actors:
+            self._actors = actors
+            self._rows = {node_id: row for row, node_id in enumerate(actors)}
+            self._controllers = sum(not actor.is_agent for actor in actors.values())
+        return self._rows, self._controllers
 
     def _numbers(self, kind: str, run: Run) -> tuple[int, int]:
         behavior = run.behavior

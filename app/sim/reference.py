@@ -5,8 +5,6 @@ from dataclasses import replace
 from math import isfinite
 from typing import Any
 
-import numpy as np
-
 from ..core.errors import ScenarioError
 from ..core.machine import Action, Classifiers, Leaving, Machine, Senses, stored_classifiers
 from ..core.machine_state import MachineState
@@ -19,7 +17,7 @@ from .motion import with_rest
 from .physics import physics_of, with_columns
 from .scenario import World
 from .sensing import WorldSenses
-from .world import KEY, TICK, FrozenWorld, freeze, new_world, spans, thaw
+from .world import KEY, TICK, FrozenWorld, as_arrays, freeze, new_world, spans, thaw
 
 
 class ReferenceEngine:
@@ -111,11 +109,7 @@ class ReferenceEngine:
 
     def columns(self) -> Columns:
         """The same as arrays."""
-        whole = {column.name for column in self._scenario.columns if column.whole} | {"clock"}
-        columns = {
-            name: np.array(numbers, np.int64 if name in whole else np.float64)
-            for name, numbers in self.frozen_world().items()
-        }
+        columns = as_arrays(self.world, self._scenario)
         for column in columns.values():
             column.flags.writeable = False
         return columns

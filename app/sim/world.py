@@ -10,6 +10,9 @@ from functools import cache
 from math import isfinite
 from typing import Any, SupportsFloat
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..core.chance import world_key
 from ..core.errors import ParameterError, ScenarioError
 from ..core.hierarchy import Hierarchy
@@ -25,6 +28,9 @@ SEED, WORLD_NUMBER, TICK, KEY = range(4)
 _CLOCK = Column("clock", whole=True)
 #: Seeds are int64 in the clock.
 _LARGEST_SEED = 2**63 - 1
+_MOST = 2**63
+#: Whole numbers below this are floats without rounding; so are all that numpy makes floats of, among floats.
+_EXACT = 2.0**53
 
 
 def new_world(
@@ -126,7 +132,7 @@ def _plain(column: Column, values: Sequence[Any], scenario: Scenario) -> tuple[f
     """The entries of a column as plain Python numbers of its own kind."""
     try:
         plain = tuple(map(int if column.whole else float, values))
-        if plain == tuple(values) and (column.whole or all(map(isfinite, plain))):
+        if plain == tuple(values) and _holds(plain, whole=column.whole):
             return plain
     except (TypeError, ValueError, OverflowError):
         pass
@@ -137,11 +143,38 @@ def _plain(column: Column, values: Sequence[Any], scenario: Scenario) -> tuple[f
     )
 
 
+def as_arrays(world: World, scenario: Scenario) -> dict[str, NDArray[Any]]:
+    """The same as arrays: float64, and int64 where the column is whole.
+
+    Raises:
+        ScenarioError: The scenario has put something else there.
+    """
+    return {column.name: _array(column, getattr(world, column.name), scenario) for column in _all(scenario)}
+
+
+def _array(column: Column, values: Sequence[Any], scenario: Scenario) -> NDArray[Any]:
+    dtype = np.dtype(np.int64 if column.whole else np.float64)
+    try:
+        found = np.array(values)
+    except (ValueError, OverflowError):  # what that is, is told below
+        found = np.zeros(0, np.bool_)
+    if found.ndim == 1 and found.dtype == dtype and (column.whole or np.all(np.abs(found) < _EXACT)):
+        return found
+    return np.array(_plain(column, values, scenario), dtype)
+
+
 def _fits(value: object, *, whole: bool) -> bool:
     if not isinstance(value, SupportsFloat) or isinstance(value, complex):
         return False
     number = float(value)
-    return isfinite(number) and (not whole or number == int(number))
+    return isfinite(number) and number == (int(number) if whole else value) and _holds((number,), whole=whole)
+
+
+def _holds(numbers: Sequence[float], *, whole: bool) -> bool:
+    """Whether a column could hold them: whole ones have 63 bits and a sign."""
+    if not whole:
+        return all(map(isfinite, numbers))
+    return min(numbers, default=0) >= -_MOST and max(numbers, default=0) < _MOST
 
 
 def spans(world: World, scenario: Scenario) -> Mapping[str, range]:

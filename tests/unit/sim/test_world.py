@@ -1,6 +1,8 @@
 """Worlds as columns: how they begin, and how they are copied and put back."""
 
 import json
+import re
+from math import inf, nan
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,7 @@ from app.core.chance import world_key
 from app.core.errors import ParameterError, ScenarioError
 from app.core.hierarchy import from_table
 from app.sim.scenarios.foraging import scenario as foraging
-from app.sim.world import FrozenWorld, empty_world, freeze, new_world, spans, thaw
+from app.sim.world import FrozenWorld, as_arrays, empty_world, freeze, new_world, spans, thaw
 from tests.chase import scenario as chase
 from tests.foragers import alone, groups
 
@@ -163,3 +165,45 @@ def test_a_copy_of_another_scenario_is_refused() -> None:
     other = freeze(new_world(chase, chase.settle({}), from_table((3,), ("hound",)), 1), chase)
     with pytest.raises(ScenarioError, match="a stored world of 'foraging': column"):
         thaw(world(), other, foraging)
+
+
+# -------------------------------------------------------------------------------------------------- as arrays
+
+#: What a scenario may have put somewhere.
+ENTRIES = (
+    0.5,
+    1,
+    True,
+    2**53 + 1,
+    2**63 - 1,
+    2**63,
+    -(2**63),
+    2.0**53,
+    -(2**60),
+    1e300,
+    nan,
+    inf,
+    "3",
+    None,
+    1j,
+    [1.0],
+    np.float64(2),
+    np.float32(0.1),
+)
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=repr)
+@pytest.mark.parametrize("column", ["x", "held", "boxes_delivered", "progressed"])
+def test_as_arrays_a_world_is_the_same_as_its_copy_or_refused_alike(column: str, entry: Any) -> None:
+    spoiled = world()
+    getattr(spoiled, column)[-1] = entry
+    try:
+        wanted = freeze(spoiled, foraging)
+    except ScenarioError as error:
+        with pytest.raises(ScenarioError, match=re.escape(str(error))):
+            as_arrays(spoiled, foraging)
+    else:
+        found = as_arrays(spoiled, foraging)
+        assert {name: tuple(numbers.tolist()) for name, numbers in found.items()} == wanted
+        kinds = {name: {type(number) for number in numbers.tolist()} for name, numbers in found.items()}
+        assert kinds == {name: set(map(type, numbers)) for name, numbers in wanted.items()}
