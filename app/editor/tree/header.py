@@ -82,4 +82,5 @@ class Header(QWidget):
                     self.states.addItem(subject.name(each.id), each.id)
             self._listed = (None, None) if subject is None else (subject.automaton, subject.library)
             self.states.setCurrentIndex(self.states.findData(state))
+        self.states.setEnabled(subject is not None)
         self.which.setVisible(subject is not None and subject.trees > 1)

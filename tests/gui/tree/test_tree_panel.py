@@ -252,3 +252,10 @@ def test_a_state_that_has_learned_nothing_names_those_that_have(
     with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
         studio.selection.select_state(START)
     assert panel._message.text().endswith("choose above: Wander, ReturnWithBox.")
+
+
+def test_without_a_behavior_no_state_can_be_chosen(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
+    assert panel.header.states.isEnabled()
+    with qtbot.waitSignal(panel.refreshed, timeout=PATIENCE):
+        studio.selection.select_behavior(None)
+    assert not panel.header.states.isEnabled()
