@@ -33,9 +33,8 @@ def paint_pupils(painter: QPainter, frame: Frame, ink: Ink, radius: float, *, cr
     shown = frozenset({frame.turn}) if crowded else frozenset(frame.taught)
     _paint_rings(painter, frame, shown - {frame.turn}, radius, waiting)
     _paint_rings(painter, frame, {frame.turn}, radius + 0.5, QPen(color, ITS_TURN))
-    for number, node in enumerate(frame.pupils, 1):
-        if node in shown:
-            _paint_number(painter, frame, ink, radius, (number, node))
+    if len(frame.pupils) <= MOST:
+        _paint_numbers(painter, frame, ink, radius)
 
 
 def _paint_rings(painter: QPainter, frame: Frame, nodes: AbstractSet[str], radius: float, pen: QPen) -> None:
@@ -47,25 +46,26 @@ def _paint_rings(painter: QPainter, frame: Frame, nodes: AbstractSet[str], radiu
         painter.drawEllipse(QPointF(x[entity], y[entity]), radius, radius)
 
 
-def _paint_number(
-    painter: QPainter, frame: Frame, ink: Ink, radius: float, numbered: tuple[int, str]
-) -> None:
-    """Above an agent, to the left, where its label is not; a controller's agents share its turn."""
-    number, node = numbered
-    entity, its_turn = frame.scene.entity(node), node == frame.turn
-    if entity < 0:
-        return
-
-    def drawn() -> QPixmap:
-        size = QSizeF(mark_width(number) + 1.0, HEIGHT + 1.0)
-        return stamp(
-            size, frame.ratio, lambda onto: paint_mark(onto, number, frame.palette, its_turn=its_turn)
-        )
-
-    pixmap = ink.pixmap(("turn", number, its_turn, frame.palette.teach, frame.ratio), drawn)
+def _paint_numbers(painter: QPainter, frame: Frame, ink: Ink, radius: float) -> None:
+    """Above agents, to the left, where labels are not; a controller's agents share its turn."""
     x, y = frame.places()
-    size = pixmap.deviceIndependentSize()
     aside = (radius + 3.0) * 0.7071
-    painter.drawPixmap(
-        QPointF(x[entity] - aside - size.width() / 2, y[entity] - aside - size.height() / 2), pixmap
-    )
+    for number, node in enumerate(frame.pupils, 1):
+        entity = frame.scene.entity(node)
+        if entity < 0 or node not in frame.taught:
+            continue
+        mark = _mark(frame, ink, number, its_turn=node == frame.turn)
+        size = mark.deviceIndependentSize()
+        left, top = x[entity] - aside - size.width() / 2, y[entity] - aside - size.height() / 2
+        painter.drawPixmap(QPointF(left, top), mark)
+
+
+def _mark(frame: Frame, ink: Ink, number: int, *, its_turn: bool) -> QPixmap:
+    """A number, drawn once for each."""
+    size = QSizeF(mark_width(number) + 1.0, HEIGHT + 1.0)
+
+    def draw(onto: QPainter) -> None:
+        paint_mark(onto, number, frame.palette, its_turn=its_turn)
+
+    key = "turn", number, its_turn, frame.palette.teach, frame.ratio
+    return ink.pixmap(key, lambda: stamp(size, frame.ratio, draw))
