@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 from ..core.project import Project
 from ..engine.commands import GoTo, Reset
 from ..sim.scenario import Scenario
+from .left_boxes import tell_left_boxes
 from .settings import Settings
 from .size import use_size
 from .soon import Later
@@ -154,6 +155,7 @@ def make_application() -> QApplication:
     assert isinstance(application, QApplication)
     application.setApplicationName("understudy")
     application.setApplicationDisplayName("Understudy")
+    tell_left_boxes(application)
     return application
 
 
