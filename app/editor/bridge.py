@@ -18,6 +18,7 @@ from ..engine.session import Session
 from ..engine.snapshots import (
     Edit,
     Event,
+    Failed,
     Interrupted,
     Moved,
     Picked,
@@ -178,6 +179,8 @@ class Bridge(QObject):
                 self._document.push(f"Move {event.words}", self._document.project, mark=MoveMark(event))
             case Refused(ticket, _) if ticket and ticket in (self._taking_back, self._doing_again):
                 pass  # the lesson of the pick is over; whoever asked for it undoes or redoes the examples
+            case Failed():
+                pass  # the canvas says it, for as long as it is so
             case Refused(_, message) | Interrupted(message):
                 self.told.emit(message)
         self.event_came.emit(event)

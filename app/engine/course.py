@@ -29,6 +29,7 @@ from .snapshots import (
     Demonstrated,
     Edit,
     Event,
+    Failed,
     Interrupted,
     Picked,
     Refused,
@@ -133,7 +134,8 @@ class Course:
         """Stop the world and say why; the project is untouched."""
         self._world.failure = message
         self._clock.pause()
-        self._refuse(f"{message}. The world stands still; reset it to go on.")
+        told = f"{message}. The world stands still; reset it to go on."
+        self._events.append(Failed(self._tickets, told))
 
     def settle(self) -> None:
         """Take in models that were learned meanwhile, and a kernel that was compiled."""

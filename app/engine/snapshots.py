@@ -25,6 +25,7 @@ __all__ = [
     "Doing",
     "Edit",
     "Event",
+    "Failed",
     "Interrupted",
     "LessonView",
     "Mode",
@@ -232,6 +233,11 @@ class Refused:
 
     ticket: int
     message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Failed(Refused):
+    """The world failed, as snapshots say for as long as it is so."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,8 +36,11 @@ def test_a_scenario_that_raises_is_told_with_its_place_and_once_it_is_mended_tim
     studio, banner, bar = window.studio, window.canvas.on_top.failure, window.statusBar()
     assert isinstance(bar, StatusBar)
     before = studio.document.project
+    told: list[str] = []
+    window.messages.shown.connect(told.append)
     qtbot.keyClick(window, Qt.Key.Key_Space)
     qtbot.waitUntil(banner.isVisible)
+    assert not [words for words in told if "ZeroDivisionError" in words]  # the banner says it, and stays
     for words in ("corridor", "go_wrong in corridor.py, line", "ZeroDivisionError"):
         assert words in banner.words.text()
     qtbot.waitUntil(lambda: bar.rate.text() == "stopped")
