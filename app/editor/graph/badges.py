@@ -1,7 +1,6 @@
 """Marks states and edges of the graph at which something is wrong, and says what in their tool tips."""
 
-from collections.abc import Mapping
-from html import escape
+from collections.abc import Mapping, Sequence
 
 from ...core.check.problem import Problem
 from ..document import Document
@@ -21,19 +20,22 @@ class Badges:
 
     def show(self) -> None:
         """Mark what is wrong now."""
-        states: dict[Path, str] = {}
-        edges: dict[EdgeKey, str] = {}
+        states: dict[Path, list[Problem]] = {}
+        edges: dict[EdgeKey, list[Problem]] = {}
         for path, level in self._scene.levels.items():
             for spot, found in self._problems(level).items():
-                state, edge = (*path, spot[0]), (path, spot[0], spot[-1])
-                if len(spot) == 1 and state in self._scene.states:
-                    states[state] = worst(found)
-                    self._scene.states[state].say_problem(_told(found))
-                elif edge in self._scene.edges:
-                    edges[edge] = worst(found)
-                    item = self._scene.edges[edge]
-                    item.setToolTip(f"{item.toolTip()}<br>{escape(_told(found))}")
-        self._scene.show_problems(states, edges)
+                if len(spot) == 1:
+                    states[*path, spot[0]] = found
+                else:
+                    edges[path, spot[0], spot[-1]] = found
+        for state, box in self._scene.states.items():
+            box.say_problem(_told(states.get(state, ())))
+        for edge, line in self._scene.edges.items():
+            line.say_problem(_told(edges.get(edge, ())))
+        self._scene.show_problems(
+            {state: worst(found) for state, found in states.items()},
+            {edge: worst(found) for edge, found in edges.items()},
+        )
 
     def fixes(self) -> list[Problem]:
         """The problems of what is selected that one click can mend."""
@@ -61,5 +63,5 @@ class Badges:
         return kept[1]
 
 
-def _told(problems: list[Problem]) -> str:
+def _told(problems: Sequence[Problem]) -> str:
     return "\n".join(problem.message for problem in problems)

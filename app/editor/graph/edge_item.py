@@ -1,6 +1,7 @@
 """A transition as it is drawn: solid where it was learned, dashed where it was authored, dotted where it is pruned."""
 
 from functools import lru_cache
+from html import escape
 from math import log2
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -50,7 +51,7 @@ class EdgeItem(QGraphicsItem):
         self._lines = lines_of(label)
         self._size = label_size(label)
         self._chosen = self._hovered = False
-        self.problem = ""
+        self.problem = self._tip = ""
         self._run = Run(((0.0, 0.0),) * 4, (0.0, 0.0))
         self._path = QPainterPath()
         self._bounds = QRectF()
@@ -69,6 +70,15 @@ class EdgeItem(QGraphicsItem):
         self._path = curve(run.points)
         around = self._path.boundingRect().united(self._label_box())
         self._bounds = around.adjusted(-12, -12, 12, 12)
+
+    def say(self, tip: str) -> None:
+        """Say in its tool tip what it is, as HTML."""
+        self._tip = tip
+        self.setToolTip(tip)
+
+    def say_problem(self, words: str) -> None:
+        """Say there, too, what is wrong, if anything is."""
+        self.setToolTip(f"{self._tip}<br>{escape(words)}" if words else self._tip)
 
     def choose(self, *, chosen: bool) -> None:
         """Draw it as the one that is selected, or not."""

@@ -68,6 +68,19 @@ class Drawn:
         """Its edges by source and target."""
         return {(edge.source, edge.target): edge for edge in self.graph.edges}
 
+    def looks_like(self, other: "Drawn") -> bool:
+        """Whether all that is drawn of another one is the same; what it was worked out from may differ."""
+        if self.graph is not other.graph or self.inner.keys() != other.inner.keys():
+            return False
+        return self.look == other.look and all(
+            drawn.looks_like(other.inner[state]) for state, drawn in self.inner.items()
+        )
+
+    @property
+    def look(self) -> tuple[object, ...]:
+        """What is drawn of the automaton itself, apart from its graph."""
+        return self.path, self.type, self.sizes, self.places, self.runs, self.is_labeled
+
     def offset(self, state: str) -> Point:
         """Where (0, 0) of what is open in a state lies, from the middle of that state."""
         (left, top), (right, bottom) = self.inner[state].corners

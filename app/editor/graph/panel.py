@@ -63,6 +63,7 @@ class GraphPanel(QWidget):
         self._open: set[Path] = set()
         self.menu: QMenu | None = None
         self._selecting = self._entering = self._reveals = False
+        self._is_dressed = False  # in the colors that are in force
         self.laying_out = LayingOut()
         self._drafts = Drafts(studio.document, self.laying_out)
         self.scene = GraphScene(studio.theme, studio.colors)
@@ -100,8 +101,8 @@ class GraphPanel(QWidget):
         studio.opened.connect(self._opened)
         studio.closing.connect(self._rest)
         studio.document.project_changed.connect(lambda *_: self.touch())
-        studio.colors.changed.connect(self.touch)
-        studio.theme.changed.connect(self.touch)
+        studio.colors.changed.connect(self._dress)
+        studio.theme.changed.connect(self._dress)
         studio.selection.behavior_changed.connect(self._behavior_changed)
         studio.selection.state_changed.connect(self._chosen_elsewhere)
         studio.selection.nodes_changed.connect(self._live_soon)
@@ -133,6 +134,11 @@ class GraphPanel(QWidget):
         if self.isVisible():
             self._soon.ask()
 
+    def _dress(self) -> None:
+        """Everything is to have other colors."""
+        self._is_dressed = False
+        self.touch()
+
     @property
     def is_pending(self) -> bool:
         """Whether something that has changed is not shown yet."""
@@ -141,8 +147,12 @@ class GraphPanel(QWidget):
     def refresh(self) -> None:
         """Show everything as it is now."""
         drawn = None if self.root is None else self._drafts.drawn(self.root, self._open)
-        self.view.forget()
-        self.scene.build(drawn)
+        if self._is_dressed and self.scene.looks_like(drawn):
+            self.scene.keep(drawn)
+        else:
+            self.view.forget()
+            self.scene.build(drawn)
+            self._is_dressed = True
         self._pages.setCurrentIndex(0 if drawn is None else 1)
         self._hint.say(is_empty=drawn is not None and len(drawn.graph.states) < 2)
         self._show_trail()

@@ -48,6 +48,18 @@ class GraphScene(QGraphicsScene):
 
     # -------------------------------------------------------------------------------------------- building
 
+    def looks_like(self, drawn: Drawn | None) -> bool:
+        """Whether it shows that already."""
+        root = self.levels.get(())
+        return root is drawn if root is None or drawn is None else root.looks_like(drawn)
+
+    def keep(self, drawn: Drawn | None) -> None:
+        """Go on with what looks like that, which was worked out from something else."""
+        if drawn is not None:
+            self.levels[drawn.path] = drawn
+            for inner in drawn.inner.values():
+                self.keep(inner)
+
     def build(self, drawn: Drawn | None) -> None:
         """Show this; what was selected stays so, as far as it is still there."""
         self.clear()
@@ -67,7 +79,7 @@ class GraphScene(QGraphicsScene):
             key = edge.source, edge.target
             item = EdgeItem(drawn.path, edge, drawn.labels[key], self._theme, labeled=drawn.is_labeled)
             item.place(drawn.runs[key])
-            item.setToolTip(tip_of(edge, drawn.automaton, (names[edge.source], names[edge.target])))
+            item.say(tip_of(edge, drawn.automaton, (names[edge.source], names[edge.target])))
             self._put(item, parent, middle)
             self.edges[drawn.path, edge.source, edge.target] = item
         for state in drawn.graph.states:

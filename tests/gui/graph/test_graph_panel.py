@@ -5,11 +5,13 @@ from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from app.core.automaton import START
+from app.core.edits import rename_automaton, set_note
 from app.editor.graph.hints import HINT, KEYS, Hint
 from app.editor.graph.panel import GraphPanel
 from app.editor.graph.state_item import Path
 from app.editor.selection import BehaviorKey
 from app.editor.studio import Studio
+from app.editor.theme import ThemeMode
 from app.engine.commands import Step
 from tests.gui.conftest import PATIENCE
 from tests.gui.graph.author import Author
@@ -207,3 +209,32 @@ def test_whoever_comes_to_the_graph_by_keys_is_told_what_keys_do(panel: GraphPan
     qtbot.waitUntil(lambda: hint.text() == KEYS, timeout=PATIENCE)
     qtbot.mouseClick(panel.view.viewport(), LEFT, pos=QPoint(3, 3))
     assert hint.text() == HINT
+
+
+def test_the_picture_stays_where_nothing_that_it_shows_has_changed_and_what_it_is_made_of_is_the_new(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    author, edge = Author(panel, qtbot), ((), "wander", "return-with-box")
+    author.settle()
+    item, tip = panel.scene.edges[edge], panel.scene.edges[edge].toolTip()
+    studio.document.do(set_note, FORAGE.type, FORAGE.id, "It brings boxes home.")
+    author.settle()
+    assert panel.scene.edges[edge] is item
+    assert item.toolTip() == tip
+    assert panel.scene.levels[()].automaton is studio.document.automaton(FORAGE.type, FORAGE.id)
+    studio.document.do(rename_automaton, "agent", "wander", "Stroll")
+    author.settle()
+    assert panel.scene.edges[edge] is not item
+    assert panel.scene.states["wander",].state.name == "Stroll"
+
+
+def test_another_theme_is_seen_in_the_picture_and_the_first_one_again(
+    panel: GraphPanel, studio: Studio, qtbot: QtBot
+) -> None:
+    author, pictures = Author(panel, qtbot), []
+    for mode in (ThemeMode.LIGHT, ThemeMode.DARK, ThemeMode.LIGHT):
+        studio.theme.use(mode)
+        author.settle()
+        pictures.append(panel.view.grab().toImage())
+    assert pictures[0] != pictures[1]
+    assert pictures[0] == pictures[2]
