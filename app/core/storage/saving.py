@@ -42,8 +42,8 @@ def save(project: Project, folder: Path, previous: Project | None = None) -> Non
     Args:
         folder: Made if it is missing.
         previous: What the folder is known to hold. Files of what it has and *project* lacks are removed; behaviors,
-            examples and moments that both share are not even compared with their files. Without it all files are
-            compared, and if the folder holds a project already, that is replaced.
+            examples, moments and demonstrations that both share are not even compared with their files. Without it all
+            files are compared, and if the folder holds a project already, that is replaced.
 
     Raises:
         FilesError: The project holds something that cannot be stored, a newer Understudy wrote the folder, or the
@@ -238,8 +238,8 @@ def _layout_files(project: Project) -> dict[str, _File]:
 
 def _demonstration_files(project: Project) -> dict[str, _File]:
     return {
-        demonstration_file(demonstration.id): _File(partial(demonstration_document, demonstration))
-        for demonstration in project.demonstrations
+        demonstration_file(known.id): _File(partial(demonstration_document, known), known)
+        for known in project.demonstrations
     }
 
 

@@ -10,6 +10,7 @@ from app.core.examples import Example
 from app.core.library import NodeType
 from app.core.project import Pick, Project
 from app.core.storage import load, save
+from app.core.storage.saving import _Saving
 from tests.unit.core.storage.folders import AGENT, changed, files, without
 
 
@@ -30,6 +31,15 @@ def test_saving_the_same_again_writes_nothing(folder: Path, project: Project, kn
     before = stamps(folder)
     save(project, folder, project if knows_previous else None)
     assert stamps(folder) == before
+
+
+def test_what_is_known_to_be_there_is_not_put_into_words_again(
+    folder: Path, project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[str] = []
+    monkeypatch.setattr(_Saving, "_text", lambda _self, path, _document: made.append(path))
+    save(project, folder, project)
+    assert made == ["project.json"]
 
 
 @pytest.mark.parametrize("knows_previous", [True, False])
