@@ -26,8 +26,7 @@ FrozenWorld = Mapping[str, tuple[float, ...] | tuple[int, ...]]
 
 SEED, WORLD_NUMBER, TICK, KEY = range(4)
 _CLOCK = Column("clock", whole=True)
-#: Seeds are int64 in the clock.
-_LARGEST_SEED = 2**63 - 1
+#: Seeds are int64 in the clock, as whole columns are: numbers from minus this up to, but not, it.
 _MOST = 2**63
 #: Whole numbers below this are floats without rounding; so are all that numpy makes floats of, among floats.
 _EXACT = 2.0**53
@@ -56,7 +55,7 @@ def new_world(
 def begin(world: World, scenario: Scenario, seed: int, number: int = 0) -> None:
     """Reset an empty world, see `new_world`."""
     for what, value in (("seed", seed), ("world number", number)):
-        if not 0 <= value <= _LARGEST_SEED:
+        if not 0 <= value < _MOST:
             raise ParameterError(
                 f"a {what} is a whole number from 0 to {_LARGEST_SEED:,}, but this one is {value:,}"
             )
