@@ -57,7 +57,7 @@ def begin(world: World, scenario: Scenario, seed: int, number: int = 0) -> None:
     for what, value in (("seed", seed), ("world number", number)):
         if not 0 <= value < _MOST:
             raise ParameterError(
-                f"a {what} is a whole number from 0 to {_LARGEST_SEED:,}, but this one is {value:,}"
+                f"a {what} is a whole number from 0 to {_MOST - 1:,}, but this one is {value:,}"
             )
     reset = scenario.stages.get("reset")
     if reset is None:
