@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -141,6 +141,11 @@ class Dock(QDockWidget):
         """Leave room for an edge: what floats has no frame of the system's, and lies on panels of the same color."""
         edge = 1 if floating else 0
         self.setContentsMargins(edge, edge, edge, edge)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """What floated the last time floats again without being told."""
+        self._edge(self.isFloating())
+        super().showEvent(event)
 
     def focusNextPrevChild(self, forward: bool) -> bool:  # noqa: FBT001 - as Qt calls it
         """Tab in a dock that floats stays in it."""

@@ -36,6 +36,7 @@ from .physics import physics_rows
 from .rows import Speed, edit_rows, teach_rows, time_rows, view_rows
 from .status_bar import StatusBar
 from .tabbing import go_on
+from .tabs import Tabs
 from .toolbar import Toolbar
 
 if TYPE_CHECKING:
@@ -170,6 +171,7 @@ class MainWindow(QMainWindow):
                 self.docks[dock.row.id] = dock
                 frame_views(dock.widget(), self.studio.theme)
             yield
+        self._tabs = Tabs(self)
         for dock in self.docks.values():
             for signal in (dock.topLevelChanged, dock.dockLocationChanged, dock.visibilityChanged):
                 signal.connect(self._fold_titles)
@@ -194,6 +196,8 @@ class MainWindow(QMainWindow):
         dock = self.docks[panel]
         dock.show()
         dock.raise_()
+        if dock.isFloating():
+            dock.activateWindow()
         dock.widget().setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def hide_panel(self, panel: str) -> None:
@@ -244,6 +248,7 @@ class MainWindow(QMainWindow):
 
     def _fold_titles(self) -> None:
         """Titles only where no tab says the same."""
+        self._tabs.watch()
         for dock in self.docks.values():
             dock.fold_title(folded=not dock.isFloating() and bool(self.tabifiedDockWidgets(dock)))
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 
 from ..actions import ActionRow, when_open
 from .docks import DOCKS, Dock, has_keys, is_in_sight
+from .tabs import float_row
 
 if TYPE_CHECKING:
     from ..studio import Studio
@@ -20,6 +21,7 @@ def panel_rows(window: MainWindow) -> tuple[ActionRow, ...]:
         *(_dock_row(window, window.docks[row.id]) for row in DOCKS),
         _way_row(window, "next", "Next panel", 1, "F6", "arrow-right"),
         _way_row(window, "previous", "Previous panel", -1, "Shift+F6", "arrow-left"),
+        float_row(window),
         ActionRow(
             "view.standard",
             "Standard layout",
