@@ -1,14 +1,23 @@
-"""Choosing one of many by typing a part of its name."""
+"""Choosing one of many by typing words of its name."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFocusEvent, QMouseEvent
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFocusEvent, QMouseEvent, QStandardItemModel
 from PySide6.QtWidgets import QAbstractItemView, QComboBox, QCompleter, QLineEdit
 
+from ..searching import has_words, words_in
 from .word_list import WordList
 
 
@@ -49,8 +58,41 @@ class _Field(QLineEdit):
             completer.complete()
 
 
+class _Left(QSortFilterProxyModel):
+    """The choices in whose names all words are that were typed."""
+
+    words: tuple[str, ...] = ()
+
+    def use(self, words: tuple[str, ...]) -> None:
+        """Leave those with these words."""
+        self.beginFilterChange()
+        self.words = words
+        self.endFilterChange()
+
+    def filterAcceptsRow(self, row: int, parent: QModelIndex | QPersistentModelIndex) -> bool:
+        """Whether a choice is left."""
+        return not self.words or has_words(self.words, str(self.sourceModel().index(row, 0, parent).data()))
+
+
+class _Completer(QCompleter):
+    """Offers what is left by all words that were typed, in any order, as all searches of the window do."""
+
+    def __init__(self, parent: QObject) -> None:
+        self._left, self._nothing = _Left(), QStandardItemModel()
+        super().__init__(self._left, parent)
+
+    def offer(self, choices: QAbstractItemModel | None) -> None:
+        """Offer these; none while they change, since the field's words come and go in their midst."""
+        self._left.setSourceModel(self._nothing if choices is None else choices)
+
+    def splitPath(self, path: str) -> list[str]:
+        """What Qt is to look for in what is left: nothing more."""
+        self._left.use(words_in(path))
+        return [""]
+
+
 class Chooser(WordList):
-    """A list of choices that can be opened, or narrowed by typing any part of a name; Enter takes the only one left.
+    """A list of choices that can be opened, or narrowed by typing words of a name; Enter takes the only one left.
 
     Args:
         name: What it is called to those who do not see it.
@@ -81,9 +123,8 @@ class Chooser(WordList):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(12)
         self.field.setPlaceholderText(hint)
-        completer = QCompleter(self.model(), self)
+        self._completer = completer = _Completer(self)
         self.setCompleter(completer)
-        completer.setFilterMode(Qt.MatchFlag.MatchContains)
         completer.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
         completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
         completer.setMaxVisibleItems(self.maxVisibleItems())
@@ -102,10 +143,12 @@ class Chooser(WordList):
         offered = tuple(choices)
         if offered != self._choices:
             self._choices = offered
+            self._completer.offer(None)
             self.clear()
             for at, choice in enumerate(offered):
                 self.addItem(choice.name)
                 self.setItemData(at, choice.tip, Qt.ItemDataRole.ToolTipRole)
+            self._completer.offer(self.model())
         self.show_value(chosen)
 
     def show_value(self, value: object) -> None:
@@ -138,7 +181,7 @@ class Chooser(WordList):
         text = self.currentText().strip()
         if not text or self.choice is not None or self._is_new(text):
             return
-        left = [choice.name for choice in self._choices if text.casefold() in choice.name.casefold()]
+        left = [choice.name for choice in self._choices if has_words(words_in(text), choice.name)]
         if len(left) == 1:
             self.setEditText(left[0])
             self._typed()
