@@ -1,5 +1,6 @@
 """What every test shares: Qt without a screen, markers by folder, and no thread left behind."""
 
+import gc
 import os
 import signal
 import threading
@@ -26,6 +27,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 # Seconds that a thread gets to end by itself once the test that started it is over.
 GRACE = 20.0
 
+# Objects that have to be there before garbage is looked for between two tests.
+GARBAGE = 20_000
+
 FOLDER_MARKERS = {"gui": pytest.mark.gui, "bench": pytest.mark.bench}
 
 # The same examples every time, so that no run fails by chance; new ones for who looks for what nobody has thought of yet,
@@ -42,6 +46,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         marker = FOLDER_MARKERS.get(item.path.relative_to(tests).parts[0])
         if marker is not None:
             item.add_marker(marker)
+
+
+def pytest_sessionstart() -> None:
+    # Python would look for garbage in any thread, and end Qt's objects there; see `app.editor.garbage`.
+    gc.disable()
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown() -> None:
+    if gc.get_count()[0] > GARBAGE:
+        gc.collect(1)
 
 
 def _our_threads() -> set[threading.Thread]:

@@ -16,11 +16,10 @@ def open_window(project: Path | None, *, trust: bool) -> int:
     named = project or shipped_project(FIRST_PROJECT)
     folder = named.parent if named.name == PROJECT_FILE else named
     refuse_no_project(folder)
-    gc.disable()  # nothing of what is imported goes away again, so looking for it only takes time
+    gc.disable()  # nothing of what is imported goes away again; later on the window looks itself, see `editor.garbage`
     from ..editor.application import run
 
     gc.freeze()
-    gc.enable()
     settings = platformdirs.user_config_path(PROGRAM, appauthor=False) / "studio.ini"
     state = platformdirs.user_state_path(PROGRAM, appauthor=False)
     return run(folder, settings, state, trust=trust)

@@ -1,6 +1,5 @@
 """Starting the studio: the application, its theme, its window, and the project to begin with."""
 
-import gc
 import logging
 import sys
 from collections import deque
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 from ..core.project import Project
 from ..engine.commands import GoTo, Reset
 from ..sim.scenario import Scenario
+from .garbage import Garbage
 from .left_boxes import tell_left_boxes
 from .settings import Settings
 from .size import use_size
@@ -29,9 +29,6 @@ from .window.main_window import MainWindow
 #: Seconds after which a thread that computes lets the window have its turn. Qt gives its turn away at nearly every call, so
 #: what is painted by fifty calls waits fifty times as long while another thread runs Python; Python's own is 0.005.
 SWITCH = 0.00025
-#: Looking through all objects for garbage stops every thread, for a tenth of a second in a large world, and reference
-#: counts free nearly everything anyway: young objects are looked through after so many, old ones hardly ever.
-GARBAGE = (2_000, 5, 5_000)
 #: What takes long to import and is not needed at once, and after how many milliseconds it is imported all the same.
 LATER, AHEAD = (".plots.lines_view", ".experiments.window"), 2_000
 _LEVELS = {
@@ -149,10 +146,10 @@ class RunWindows:
 def make_application() -> QApplication:
     """The application, with threads that take turns often enough for a window."""
     sys.setswitchinterval(SWITCH)
-    gc.set_threshold(*GARBAGE)
     qInstallMessageHandler(_log)
     application = QApplication.instance() or QApplication(["understudy"])
     assert isinstance(application, QApplication)
+    Garbage(application)
     application.setApplicationName("understudy")
     application.setApplicationDisplayName("Understudy")
     tell_left_boxes(application)

@@ -78,8 +78,9 @@ class _Completer(QCompleter):
     """Offers what is left by all words that were typed, in any order, as all searches of the window do."""
 
     def __init__(self, parent: QObject) -> None:
-        self._left, self._nothing = _Left(), QStandardItemModel()
-        super().__init__(self._left, parent)
+        super().__init__(parent)
+        self._left, self._nothing = _Left(self), QStandardItemModel(self)
+        self.setModel(self._left)
 
     def offer(self, choices: QAbstractItemModel | None) -> None:
         """Offer these; none while they change, since the field's words come and go in their midst."""
