@@ -7,7 +7,7 @@ from PySide6.QtGui import QIcon, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from app.editor.icons import icon
-from app.editor.theme import Theme, ThemeMode, mixed
+from app.editor.theme import Theme, ThemeMode, off_words
 
 SIZE = QSize(16, 16)
 
@@ -30,7 +30,7 @@ def painted(shown: QIcon, ratio: float) -> QImage:
 @pytest.mark.parametrize("ratio", [1.0, 2.0])
 @pytest.mark.parametrize("mode", list(QIcon.Mode))
 def test_an_icon_looks_as_in_its_family(theme: Theme, mode: QIcon.Mode, ratio: float) -> None:
-    off = mixed(theme.palette.dim, theme.palette.panel, 0.45)
+    off = off_words(theme.palette)
     family = qtawesome.icon("mdi6.play", color=theme.color("accent"), color_disabled=off)
     ours = icon("play", theme, "accent")
     assert ours.pixmap(SIZE, ratio, mode).toImage() == family.pixmap(SIZE, ratio, mode).toImage()
