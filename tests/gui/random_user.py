@@ -93,8 +93,9 @@ class RandomUser(Hand):
         """Press Escape until no name is being typed any more."""
         if view.state() is EDITING:
             self.window.activateWindow()  # as a window manager does
-            editor: QWidget | None = view.indexWidget(view.currentIndex())
-            editor = editor or QApplication.focusWidget() or view
+            # Another row may have become the current one meanwhile: the editor is what stands among the rows.
+            among = [w for w in view.viewport().children() if isinstance(w, QWidget) and w.isVisibleTo(view)]
+            editor = among[0] if among else QApplication.focusWidget() or view
             editor.setFocus()
             self.qtbot.keyClick(editor, Qt.Key.Key_Escape)
         return view.state() is not EDITING
