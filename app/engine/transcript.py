@@ -54,10 +54,9 @@ class Transcript:
         self._added: dict[str, State] = {}
         self._moves: dict[int, Sequence[Pick]] = {}
         self._undone: list[_Undone] = []
-        self._stale: int | None = (
-            None  # the tick from which on something is run that was learned from other examples
-        )
-        self._stale_before: int | None = None  # the test that waits
+        # The tick from which on something is run that was learned from other examples; and before the test that waits.
+        self._stale: int | None = None
+        self._stale_before: int | None = None
         self._again: Pick | None = None  # what was done again, but not carried out yet
         other = {k: v for k, v in settings.items() if not k.startswith(WORLD)}
         odd = [f"{k} {v}" for k, v in other.items() if PLAIN.get(k, "") not in (None, v)]

@@ -114,14 +114,9 @@ class Roster:
 
     def doing(self, actors: Mapping[str, Actor]) -> Doing:
         """What these nodes do."""
-        rows, levels, found = (
-            list[int](),
-            list[int](),
-            list[int](),
-        )  # of all runs; the last a place in *table*
-        places: dict[
-            tuple[str, int, str], int
-        ] = {}  # of runs that are alike: most nodes do what others do as well
+        # Of all runs, *found* being places in *table*: most nodes do what others do as well, and need no other one.
+        rows, levels, found = list[int](), list[int](), list[int]()
+        places: dict[tuple[str, int, str], int] = {}
         table: list[tuple[int, int]] = []
         up: list[tuple[int, int]] = []  # row, flag
         for row, actor in enumerate(actors.values()):

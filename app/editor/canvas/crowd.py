@@ -12,14 +12,14 @@ from .atlas import LARGEST, Look, Style
 from .coloring import SHAPES
 from .frame import Frame, agents_of
 from .ink import Ink
-from .pupils import paint_pupils
+from .pupils import MOST_WIDE, paint_pupils
 from .stamp import stamp
 from .trails import MOST
 
 #: How much those stay visible that the legend does not light up.
 FADED = 0.2
-#: Up to so many selected agents get a wide ring, trails and ranges; up to so many agents trails if the user wants all.
-MOST_WIDE, MOST_TRAILS, MOST_RANGES, MOST_OF_ALL = 60, 40, 8, 500
+#: Up to so many selected agents get trails and ranges; up to so many agents trails if the user wants all.
+MOST_TRAILS, MOST_RANGES, MOST_OF_ALL = 40, 8, 500
 #: Letters of the words beside the selected agent; the inspector has the rest.
 MOST_LETTERS = 48
 #: Pieces that a trail fades away in, and how much the newest is visible.

@@ -12,8 +12,8 @@ from .stamp import stamp
 
 #: Pixels of rings: of one that is taught alone, of the one whose turn it is, of one that waits for its own.
 ALONE, ITS_TURN, WAITS = 2.0, 3.6, 1.6
-#: Up to so many agents have wide rings.
-MOST = 60
+#: Up to so many agents have wide rings, and numbers.
+MOST_WIDE = 60
 
 
 def paint_pupils(painter: QPainter, frame: Frame, ink: Ink, radius: float, *, crowded: bool) -> None:
@@ -33,7 +33,7 @@ def paint_pupils(painter: QPainter, frame: Frame, ink: Ink, radius: float, *, cr
     shown = frozenset({frame.turn}) if crowded else frozenset(frame.taught)
     _paint_rings(painter, frame, shown - {frame.turn}, radius, waiting)
     _paint_rings(painter, frame, {frame.turn}, radius + 0.5, QPen(color, ITS_TURN))
-    if len(frame.pupils) <= MOST:
+    if len(frame.pupils) <= MOST_WIDE:
         _paint_numbers(painter, frame, ink, radius)
 
 
@@ -42,7 +42,7 @@ def _paint_rings(painter: QPainter, frame: Frame, nodes: AbstractSet[str], radiu
     x, y = frame.places()
     painter.setPen(pen)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for entity in agents_of(frame.scene, nodes)[:MOST].tolist():
+    for entity in agents_of(frame.scene, nodes)[:MOST_WIDE].tolist():
         painter.drawEllipse(QPointF(x[entity], y[entity]), radius, radius)
 
 

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ..actions import ActionRow, When, when_there
 from .coloring import COLOR_WORDS, ColorBy
 from .looking import STEP, Looking
-
-if TYPE_CHECKING:
-    pass
 
 #: Name among the options, text, tip, keys.
 _SHOWN = (

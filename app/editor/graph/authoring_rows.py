@@ -58,14 +58,14 @@ class _Able:
 
     def has_learned(self, studio: Studio) -> bool:
         """Whether what the selected state learned decides anything: rules may do so before."""
-        level, path = self._panel.level_for_new(), self._panel.scene.current
+        level, path = self._panel.scene.level_for_new, self._panel.scene.current
         if not self.has_state(studio) or level is None or path is None:
             return False
         edges = [edge for edge in level.graph.edges if edge.source == path[-1]]
         return any(way.is_open and way.kind is not WayKind.RULE for edge in edges for way in edge.ways)
 
     def has_rules(self, studio: Studio) -> bool:
-        level, path = self._panel.level_for_new(), self._panel.scene.current
+        level, path = self._panel.scene.level_for_new, self._panel.scene.current
         return (
             self.has_state(studio)
             and level is not None

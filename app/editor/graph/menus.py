@@ -68,7 +68,7 @@ def add_menu(panel: GraphPanel, at: Position | None = None) -> QMenu:
     """All that a new state can hold."""
     menu = QMenu("Add state", panel)
     menu.setToolTipsVisible(True)
-    level = panel.level_for_new()
+    level = panel.scene.level_for_new
     scope = None if level is None else panel.scoping.scope(level.type)
     if level is None or scope is None:
         menu.setEnabled(False)

@@ -20,7 +20,6 @@ from .editing import GraphEditing
 from .form_strip import FormStrip
 from .hints import Hint, nothing_shown
 from .laying_out import LayingOut
-from .level import Drawn
 from .live import path_of
 from .menus import add_menu, context_menu
 from .rows import graph_rows
@@ -63,7 +62,6 @@ class GraphPanel(QWidget):
         self._open: set[Path] = set()
         self.menu: QMenu | None = None
         self._selecting = self._entering = self._reveals = False
-        self._is_dressed = False  # in the colors that are in force
         self.laying_out = LayingOut()
         self._drafts = Drafts(studio.document, self.laying_out)
         self.scene = GraphScene(studio.theme, studio.colors)
@@ -101,8 +99,9 @@ class GraphPanel(QWidget):
         studio.opened.connect(self._opened)
         studio.closing.connect(self._rest)
         studio.document.project_changed.connect(lambda *_: self.touch())
-        studio.colors.changed.connect(self._dress)
-        studio.theme.changed.connect(self._dress)
+        for changed in (studio.colors.changed, studio.theme.changed):
+            changed.connect(self.scene.undress)
+            changed.connect(self.touch)
         studio.selection.behavior_changed.connect(self._behavior_changed)
         studio.selection.state_changed.connect(self._chosen_elsewhere)
         studio.selection.nodes_changed.connect(self._live_soon)
@@ -134,11 +133,6 @@ class GraphPanel(QWidget):
         if self.isVisible():
             self._soon.ask()
 
-    def _dress(self) -> None:
-        """Everything is to have other colors."""
-        self._is_dressed = False
-        self.touch()
-
     @property
     def is_pending(self) -> bool:
         """Whether something that has changed is not shown yet."""
@@ -147,12 +141,9 @@ class GraphPanel(QWidget):
     def refresh(self) -> None:
         """Show everything as it is now."""
         drawn = None if self.root is None else self._drafts.drawn(self.root, self._open)
-        if self._is_dressed and self.scene.looks_like(drawn):
-            self.scene.keep(drawn)
-        else:
+        if not self.scene.goes_on_as(drawn):
             self.view.forget()
             self.scene.build(drawn)
-            self._is_dressed = True
         self._pages.setCurrentIndex(0 if drawn is None else 1)
         self._hint.say(is_empty=drawn is not None and len(drawn.graph.states) < 2)
         self._show_trail()
@@ -288,23 +279,16 @@ class GraphPanel(QWidget):
             self._open.add(path)
         self.refresh()
 
-    # ------------------------------------------------------------------------------------------------ moving
+    # ----------------------------------------------------------------------------------------------- editing
 
     def move_state(self, path: Path, by: Point, gesture: str = "") -> None:
         """Let a state stand elsewhere; the others of its automaton stay where they are from now on."""
         self.view.is_fitted = False  # what was moved stays under the pointer
         self.editing.move_state(path, by, gesture)
 
-    # ----------------------------------------------------------------------------------------------- editing
-
-    def level_for_new(self) -> Drawn | None:
-        """The automaton that a new state comes into: the one of what is selected, or the one that is shown."""
-        path = self.scene.deciding or ()
-        return self.scene.levels.get(path[:-1]) or self.scene.levels.get(())
-
     def add_state(self, content: Content, at: Position | None = None) -> None:
         """Add a state, and ask for what it leaves open."""
-        level = self.level_for_new() if at is None else self.scene.levels.get(())
+        level = self.scene.level_for_new if at is None else self.scene.levels.get(())
         if level is not None:
             self._added(self.editing.add_state(level, content, at))
 
@@ -378,7 +362,7 @@ class GraphPanel(QWidget):
 
     def paste(self) -> None:
         """Put in copies of the states in the clipboard."""
-        level = self.level_for_new()
+        level = self.scene.level_for_new
         if level is not None:
             self._select(self.editing.paste(level))
 
@@ -395,9 +379,8 @@ class GraphPanel(QWidget):
 
     def add_state_menu(self) -> None:
         """Offer all that a new state can hold."""
-        corner = self.view.mapToGlobal(self.view.rect().center())
         self.menu = add_menu(self)
-        self.menu.popup(corner)
+        self.menu.popup(self.view.mapToGlobal(self.view.rect().center()))
 
     def _menu(self, at: QPoint) -> None:
         self.studio.touch()

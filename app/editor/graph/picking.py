@@ -18,7 +18,7 @@ def picking_row(panel: GraphPanel) -> ActionRow:
 
     def state(studio: Studio) -> str:
         """The selected state, if it is one of what is taught; empty otherwise."""
-        path, level, key = panel.scene.current, panel.level_for_new(), studio.teaching.key
+        path, level, key = panel.scene.current, panel.scene.level_for_new, studio.teaching.key
         if path is None or level is None or studio.teaching.lesson is None or not panel.isVisible():
             return ""
         of_it = BehaviorKey(level.type, level.automaton.id) == key

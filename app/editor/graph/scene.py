@@ -45,25 +45,32 @@ class GraphScene(QGraphicsScene):
         self.levels: dict[Path, Drawn] = {}
         self.selected: tuple[Path, ...] = ()
         self.edge: EdgeKey | None = None
+        self._is_dressed = False  # in the colors that are in force
 
     # -------------------------------------------------------------------------------------------- building
 
-    def looks_like(self, drawn: Drawn | None) -> bool:
-        """Whether it shows that already."""
-        root = self.levels.get(())
-        return root is drawn if root is None or drawn is None else root.looks_like(drawn)
+    def undress(self) -> None:
+        """Everything is to have other colors."""
+        self._is_dressed = False
 
-    def keep(self, drawn: Drawn | None) -> None:
-        """Go on with what looks like that, which was worked out from something else."""
-        if drawn is not None:
-            self.levels[drawn.path] = drawn
-            for inner in drawn.inner.values():
-                self.keep(inner)
+    def goes_on_as(self, drawn: Drawn | None) -> bool:
+        """Whether it shows all of that already; it goes on with that, which may have been worked out from something else."""
+        root = self.levels.get(())
+        if root is None or drawn is None or not self._is_dressed or not root.looks_like(drawn):
+            return False
+        self._keep(drawn)
+        return True
+
+    def _keep(self, drawn: Drawn) -> None:
+        self.levels[drawn.path] = drawn
+        for inner in drawn.inner.values():
+            self._keep(inner)
 
     def build(self, drawn: Drawn | None) -> None:
         """Show this; what was selected stays so, as far as it is still there."""
         self.clear()
         self.states, self.edges, self.levels = {}, {}, {}
+        self._is_dressed = True
         if drawn is not None:
             self._add_level(drawn, None)
         self.mark([path for path in self.selected if path in self.states], self.edge)
@@ -155,6 +162,12 @@ class GraphScene(QGraphicsScene):
     def deciding(self) -> Path | None:
         """The state whose decisions are shown: that one, or the one that the selected transition leaves."""
         return self.current if self.edge is None else (*self.edge[0], self.edge[1])
+
+    @property
+    def level_for_new(self) -> Drawn | None:
+        """The automaton that a new state comes into: the one of what is selected, or the one that is shown."""
+        path = self.deciding or ()
+        return self.levels.get(path[:-1]) or self.levels.get(())
 
     def key_of(self, path: Path) -> tuple[BehaviorKey, str]:
         """The automaton that a state is of, and its id there."""

@@ -215,28 +215,29 @@ class Strip(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the rows, the axis, and where the world is now."""
+        places = self.places
         painter = QPainter(self)
-        StripPainter(painter, self._theme, self.places).paint(self._drawn())
+        StripPainter(painter, self._theme, places).paint(self._drawn(places))
         painter.end()
 
-    def _drawn(self) -> Drawn:
-        points, ends, width = self._past.points, self._ends, round(self.places.width)
-        self._band = band_of(points, ends, width, self._look, self._band)
+    def _drawn(self, places: Places) -> Drawn:
+        ends, width = (places.first, places.last), round(places.width)
+        self._band = band_of(self._past.points, ends, width, self._look, self._band)
         return Drawn(
             self.rows(),
             self._band.picture,
-            [self._line(node) for node, _ in self.shown.nodes],
+            [self._line(node, ends, width) for node, _ in self.shown.nodes],
             self._events,
             [dot.tick for dot in self.shown.picks],
             self.shown.now,
             self.shown.earliest,
         )
 
-    def _line(self, node: str) -> DrawnLine:
+    def _line(self, node: str, ends: tuple[int, int], width: int) -> DrawnLine:
         """What a node does; Start, in which it idles, is not drawn."""
         codes, all_done = self._past.codes(node)
         looks = [None if doing is None else self._look(doing) for doing in all_done]
         colors = [0 if look is None else look[1].rgb() for look in looks]
-        line = line_of(self._past.points, codes, self._ends, round(self.places.width), colors)
+        line = line_of(self._past.points, codes, ends, width, colors)
         long = ((left, right, looks[code]) for left, right, code in line.wide)
         return DrawnLine(line.picture, [(left, right, *look) for left, right, look in long if look])

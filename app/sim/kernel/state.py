@@ -286,9 +286,8 @@ class _Reader:
         self._program = program
         self._sizes = program.sizes
         self._columns = columns
-        self._keys: dict[
-            tuple[int, ...], object
-        ] = {}  # by state and words: most nodes are where others are as well
+        # By state and words: most nodes are where others are as well.
+        self._keys: dict[tuple[int, ...], object] = {}
 
     def node(self, node: int, actor: Actor) -> None:
         columns = self._columns

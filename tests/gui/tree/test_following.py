@@ -37,6 +37,16 @@ def select_agent(studio: Studio) -> None:
     studio.selection.select_nodes(studio.snapshot.place.agents[:1])
 
 
+def side_by_side(window: MainWindow) -> tuple[TreePanel, GraphPanel]:
+    """The tree and the graph, both in sight."""
+    tree, graph = (window.docks[name].widget() for name in ("tree", "graph"))
+    assert isinstance(tree, TreePanel)
+    assert isinstance(graph, GraphPanel)
+    for name in ("graph", "tree"):
+        window.docks[name].setFloating(True)
+    return tree, graph
+
+
 def follow(panel: TreePanel, studio: Studio, qtbot: QtBot) -> None:
     """Select an agent and follow it: before the first tick it is in Start."""
     select_agent(studio)
@@ -97,11 +107,7 @@ def test_choosing_a_state_ends_following(panel: TreePanel, studio: Studio, qtbot
 def test_choosing_the_state_that_is_marked_in_the_graph_ends_following_too(
     window: MainWindow, studio: Studio, qtbot: QtBot
 ) -> None:
-    tree, graph = (window.docks[name].widget() for name in ("tree", "graph"))
-    assert isinstance(tree, TreePanel)
-    assert isinstance(graph, GraphPanel)
-    for name in ("graph", "tree"):
-        window.docks[name].setFloating(True)
+    tree, graph = side_by_side(window)
     studio.selection.select_behavior(FORAGE, "wander")
     qtbot.waitUntil(lambda: graph.scene.current == ("wander",) and shown(tree) == "wander")
     follow(tree, studio, qtbot)
@@ -185,12 +191,8 @@ def test_an_example_goes_before_the_agent_that_is_followed(
 def test_a_click_on_a_row_of_the_examples_shows_its_tree_and_marks_its_state_in_the_graph(
     window: MainWindow, studio: Studio, qtbot: QtBot
 ) -> None:
-    tree, graph, table = (window.docks[name].widget() for name in ("tree", "graph", "examples"))
-    assert isinstance(tree, TreePanel)
-    assert isinstance(graph, GraphPanel)
+    (tree, graph), table = side_by_side(window), window.docks["examples"].widget()
     assert isinstance(table, ExamplesPanel)
-    for name in ("graph", "tree"):
-        window.docks[name].setFloating(True)
     studio.selection.select_behavior(FORAGE)
     qtbot.waitUntil(lambda: shown(tree) == START and table.model.row_of(of_state(studio, "wander")[0]) >= 0)
     index = table.model.index(table.model.row_of(of_state(studio, "wander")[0]), Column.WORDS)
@@ -203,11 +205,7 @@ def test_a_click_on_a_row_of_the_examples_shows_its_tree_and_marks_its_state_in_
 def test_a_transition_that_is_selected_in_the_graph_lights_the_way_to_its_leaves(
     window: MainWindow, studio: Studio, qtbot: QtBot
 ) -> None:
-    tree, graph = (window.docks[name].widget() for name in ("tree", "graph"))
-    assert isinstance(tree, TreePanel)
-    assert isinstance(graph, GraphPanel)
-    for name in ("graph", "tree"):
-        window.docks[name].setFloating(True)
+    tree, graph = side_by_side(window)
     studio.selection.select_behavior(FORAGE)
     qtbot.waitUntil(lambda: graph.scene.is_settled and shown(tree) == START)
     author = Author(graph, qtbot)

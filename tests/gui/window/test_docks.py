@@ -6,13 +6,13 @@ from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from app.core.project import Project
-from app.editor.settings import Settings
 from app.editor.studio import Studio
-from app.editor.theme import Theme, ThemeMode
+from app.editor.theme import ThemeMode
 from app.editor.window.docks import DOCKS, has_keys
 from app.editor.window.main_window import MainWindow
 from app.engine.scenarios import open_scenario
 from tests.gui.conftest import said
+from tests.gui.window.next_start import next_start
 
 #: Panels that only say what to do first, as long as nobody is selected and nothing is wrong.
 NOTHING_YET = ("inspector", "problems")
@@ -73,25 +73,16 @@ def test_f6_goes_through_the_world_and_all_panels_in_sight(window: MainWindow, q
 
 
 def test_panels_are_found_where_they_were_left_the_last_time(
-    qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
+    window: MainWindow, qtbot: QtBot, foraging: Project
 ) -> None:
     window.studio.actions["view.library"].trigger()
     qtbot.keyClick(window, Qt.Key.Key_9, ALT)
     window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, window.docks["inspector"])
     qtbot.waitUntil(lambda: not in_sight(window, "library") and in_sight(window, "plots"))
-    with qtbot.waitSignal(window.closed):
-        window.close()
-    studio = Studio(Theme(qapp, settings.theme), settings)
-    later = MainWindow(studio)
-    qtbot.addWidget(later)
-    later.resize(window.size())
-    later.show()
-    studio.open(foraging, open_scenario(foraging), None, saved=True)
-    qtbot.waitUntil(lambda: in_sight(later, "plots") and in_sight(later, "inspector"))
-    assert later.docks["library"].isHidden()
-    assert later.dockWidgetArea(later.docks["inspector"]) is Qt.DockWidgetArea.LeftDockWidgetArea
-    later.hide()
-    studio.shut_down()
+    with next_start(window, qtbot, foraging) as later:
+        qtbot.waitUntil(lambda: in_sight(later, "plots") and in_sight(later, "inspector"))
+        assert later.docks["library"].isHidden()
+        assert later.dockWidgetArea(later.docks["inspector"]) is Qt.DockWidgetArea.LeftDockWidgetArea
 
 
 def test_the_tool_bar_is_there_again_when_another_project_is_opened_after_one_was_closed(

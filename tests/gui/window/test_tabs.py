@@ -9,13 +9,10 @@ from PySide6.QtWidgets import QApplication, QMenu, QTabBar
 from pytestqt.qtbot import QtBot
 
 from app.core.project import Project
-from app.editor.settings import Settings
-from app.editor.studio import Studio
-from app.editor.theme import Theme
 from app.editor.window.docks import has_keys
 from app.editor.window.main_window import MainWindow
-from app.engine.scenarios import open_scenario
 from tests.gui.conftest import PATIENCE
+from tests.gui.window.next_start import next_start
 
 LEFT, CONTROL = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier
 
@@ -95,18 +92,9 @@ def test_the_panel_with_the_keys_floats_and_is_put_back_without_a_mouse(
 
 
 def test_what_floated_floats_at_the_next_start_and_has_its_edge(
-    qapp: QApplication, window: MainWindow, qtbot: QtBot, settings: Settings, foraging: Project
+    window: MainWindow, qtbot: QtBot, foraging: Project
 ) -> None:
     let_float(window, qtbot, "plots")
-    with qtbot.waitSignal(window.closed):
-        window.close()
-    studio = Studio(Theme(qapp, settings.theme), settings)
-    later = MainWindow(studio)
-    qtbot.addWidget(later)
-    later.resize(window.size())
-    later.show()
-    studio.open(foraging, open_scenario(foraging), None, saved=True)
-    qtbot.waitUntil(floats(later, "plots"), timeout=PATIENCE)
-    assert later.docks["plots"].contentsMargins().top() == 1
-    later.hide()
-    studio.shut_down()
+    with next_start(window, qtbot, foraging) as later:
+        qtbot.waitUntil(floats(later, "plots"), timeout=PATIENCE)
+        assert later.docks["plots"].contentsMargins().top() == 1

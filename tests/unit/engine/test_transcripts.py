@@ -2,77 +2,35 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import pytest
 
-from app.core.automaton import Automaton, Basic
-from app.core.check import check as find_problems
+from app.core.automaton import Automaton
 from app.core.edits import (
     add_demonstration,
     delete_automaton,
     disable_examples,
     note_state,
     remove_state,
-    replace_examples,
-    set_learned,
 )
 from app.core.edits.arms import replace_arm
-from app.core.features import Ground
-from app.core.project import Demonstration, Project
 from app.engine import commands
 from app.engine.commands import AskMe, GoTo, MoveEntities, Others, Pick, RedoMove, RunArm, UndoMove
-from app.engine.demonstrations import play, recreate
+from app.engine.demonstrations import recreate
 from app.engine.transcript import Transcript
-from app.learner.trainer import apply, learn
 from tests.corridor import AT_END, corridor, project
 from tests.driver import Driver
 from tests.samples import AGENT, automaton, state
-
-SHUTTLE = (AGENT, "Shuttle")
-#: No state of Shuttle holds it yet.
-TOWARD = Basic("Toward", {"target": Ground("lamp")})
-
-
-def lesson(nodes: str | tuple[str, ...] = "agent-1", **fields: Any) -> Driver:
-    return Driver().teach(nodes, "Shuttle", demonstration="shuttle-1", **fields)
-
-
-def kept(driver: Driver) -> Demonstration:
-    """What was done, which nothing keeps from being played."""
-    assert driver.obstacle == ""
-    assert driver.demonstration is not None
-    return driver.demonstration
-
-
-def played(driver: Driver, where: tuple[str, str] = SHUTTLE) -> Project:
-    """The project as it was before the lesson, with what playing its demonstration records."""
-    untaught = replace_examples(driver.project, *where, (), {})
-    untaught = set_learned(untaught, *where, {}, "")
-    return play(untaught, corridor, kept(driver))
-
-
-def check(driver: Driver, where: tuple[str, str] = SHUTTLE) -> None:
-    again = played(driver, where)
-    assert again.examples_of(*where) == driver.project.examples_of(*where)
-    assert again.moments == driver.project.moments
-
-
-def learned(project: Project) -> Project:
-    """The project with what is learned in the background."""
-    return apply(project, learn(project, corridor.vocabulary, [SHUTTLE]))
-
-
-def problems(driver: Driver) -> list[str]:
-    """What is wrong with the project that keeps the demonstration."""
-    there = driver.project.demonstrations
-    project = driver.project if there else add_demonstration(driver.project, kept(driver))[0]
-    found = find_problems(project, corridor.vocabulary)
-    return [problem.message for problem in found if problem.file.startswith("demonstrations/")]
-
-
-def acts(driver: Driver) -> list[str]:
-    return [f"{pick.tick} {pick.act} {pick.node} {pick.state}".strip() for pick in kept(driver).picks]
+from tests.unit.engine.kept_lessons import (
+    SHUTTLE,
+    TOWARD,
+    acts,
+    check,
+    kept,
+    learned,
+    lesson,
+    problems,
+)
 
 
 def test_picks_are_played_again() -> None:
@@ -244,102 +202,6 @@ def test_a_move_that_is_undone_at_once_was_never_made_and_one_done_again_was() -
     )
     driver.pick("down").advance()
     assert "4 move" in acts(driver)
-    check(driver)
-
-
-def test_a_pick_that_is_done_again_later_than_it_was_taken_back_is_kept_as_such() -> None:
-    driver = lesson().pick("up").advance(4).pick("down").advance(3).undo().advance(2).redo().advance()
-    assert [act.split()[:2] for act in acts(driver)[-2:]] == [["7", "undo"], ["9", "redo"]]
-    check(driver)
-    driver.pick("up").advance(2)
-    check(driver)
-    driver.undo().undo().advance().redo().advance().redo().advance()
-    check(driver)
-
-
-def test_a_pick_that_was_taken_back_before_it_was_carried_out_and_done_again_later_is_kept() -> None:
-    driver = lesson().pick("up").advance(4).pick("down").undo().advance(3).redo().advance()
-    assert [act.split()[1] for act in acts(driver)[-3:]] == ["pick", "undo", "redo"]
-    check(driver)
-    driver = (
-        lesson()
-        .pick("up")
-        .advance(4)
-        .pick("down", "agent-1")
-        .undo()
-        .undo()
-        .advance(2)
-        .redo()
-        .redo()
-        .advance(2)
-    )
-    check(driver)
-
-
-def test_what_was_done_again_later_can_be_taken_back_again() -> None:
-    driver = lesson().pick("up").advance(2).pick("down").advance(2).undo().advance().redo().undo()
-    check(driver)
-    driver.advance().redo().advance(2).undo().advance()
-    check(driver)
-
-
-def test_a_pick_that_is_done_again_at_once_stands_before_what_was_moved_after_it() -> None:
-    driver = lesson().pick("up").send(MoveEntities({0: (9.0, 0.0)})).undo().redo().advance()
-    assert [act.split()[1] for act in acts(driver)] == ["teach", "pick"]  # the move came after the last pick
-    check(driver)
-    check(driver.pick("down").advance())
-
-
-def test_a_pick_before_a_test_is_not_replaced_by_one_at_the_same_tick_in_it() -> None:
-    driver = lesson().pick("up").advance(2).pick("down").test().pick("up").advance()
-    assert [act.split()[1] for act in acts(driver)][-3:] == ["pick", "test", "pick"]
-    check(driver)
-
-
-def test_once_it_is_tested_too_a_pick_that_is_done_again_later_is_kept() -> None:
-    driver = lesson().pick("up").advance(2).pick("down").advance(2).undo().advance().test().redo().pick("up")
-    check(driver.advance(2))
-    driver = lesson().pick("up").advance(4).pick("down").advance(4).test().advance(2).undo().advance(3)
-    check(driver.redo().advance(2).pick("jump", "agent-2").advance(2))
-    assert [act.split()[1] for act in acts(driver)][-4:] == ["test", "undo", "redo", "pick"]
-
-
-def test_what_a_test_had_learned_is_not_as_if_it_had_never_been_picked() -> None:
-    driver = lesson().pick("up").advance(2).pick("down").test().undo().pick("jump", "agent-2").advance(2)
-    assert [act.split()[1] for act in acts(driver)][-4:] == ["pick", "test", "undo", "pick"]
-    check(driver)
-    driver = lesson().pick("up").advance(2).pick("down").advance(2).test().advance(1).pick("jump", "agent-2")
-    driver.edit(learned).undo().advance(3).redo().pick("down", "agent-1").advance()
-    check(driver)
-
-
-def test_examples_are_numbered_as_they_were_where_a_pick_was_replaced_after_another_ones() -> None:
-    driver = lesson(("agent-1", "agent-2")).pick("up").pick("down", "agent-2").pick("jump", "agent-1")
-    assert [act.split()[1:3] for act in acts(driver)][2:] == [
-        ["pick", "agent-1"],
-        ["pick", "agent-2"],
-        ["pick", "agent-1"],
-    ]
-    check(driver.advance())
-    check(driver.undo().advance())
-
-
-def test_who_is_taught_anew_at_the_same_tick_keeps_what_was_picked_before() -> None:
-    driver = lesson().advance().pick("up").teach(("agent-1", "agent-2"), "Shuttle", demonstration="shuttle-1")
-    check(driver.pick("down").advance(2))
-
-
-def test_a_state_that_had_been_learned_and_went_in_the_test_is_an_obstacle_which_is_said() -> None:
-    driver = lesson().pick("up").advance(2).pick(TOWARD).advance(2).test().advance().undo().pick("up")
-    assert "a state that had been learned" in driver.obstacle
-
-
-def test_what_was_done_again_later_is_followed_by_more() -> None:
-    driver = (
-        lesson().pick("up").advance(4).pick("down").advance(3).undo().advance(2).redo().pick("up").advance(3)
-    )
-    check(driver)
-    driver.test().advance(3)
     check(driver)
 
 
